@@ -1,0 +1,1 @@
+//! Expressions with units and exact derivatives.

@@ -1,0 +1,1 @@
+//! Model files, result files and plots.

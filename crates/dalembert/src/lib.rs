@@ -1,0 +1,9 @@
+//! Multibody dynamics: the engine of dalembert.
+//!
+//! One linear graph describes a machine; a formulation is a choice of its spanning tree.
+//! The way of data: [`model::Model`] -> network -> system -> analysis -> [`results::Results`].
+#![forbid(unsafe_code)]
+
+pub mod diagnostic;
+pub mod model;
+pub mod results;

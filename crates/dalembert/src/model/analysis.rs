@@ -1,0 +1,61 @@
+//! Options of the analyses and of what is written.
+
+use super::Value;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How constraints are kept during a simulation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stabilization {
+    /// Positions and velocities are projected after every step.
+    #[default]
+    Projection,
+    /// Baumgarte: violations decay in the acceleration equation; no projection.
+    Baumgarte,
+}
+
+/// Section `[analysis]`; every option also stands on the command line.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AnalysisOptions {
+    /// Start time [s]; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<Value>,
+    /// End time [s]; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end: Option<Value>,
+    /// Time between written results [s]; default a hundredth of the run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<Value>,
+    /// Relative error tolerance of the integration; default 1e-8.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<Value>,
+    /// Largest integration step [s]; default no limit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_step: Option<Value>,
+    /// How constraints are kept in `simulate`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stabilization: Option<Stabilization>,
+    /// Baumgarte's alpha and beta [1/s]; default 50 and 50.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub baumgarte: Option<[Value; 2]>,
+    /// Most Newton iterations of a position analysis; default 50.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_iterations: Option<u32>,
+    /// `inverse`: joints whose actuators shall produce the driven motion; default the drivers themselves.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub actuators: Vec<String>,
+    /// `equations`: independent coordinates, like "crank.angle"; default chosen by pivoting.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub independent: Vec<String>,
+}
+
+/// Section `[output]`.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OutputOptions {
+    /// Patterns of channel names that are written, like "crank.*"; default all.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub channels: Vec<String>,
+}
