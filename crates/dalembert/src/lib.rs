@@ -7,3 +7,9 @@
 pub mod diagnostic;
 pub mod model;
 pub mod results;
+pub mod force;
+pub mod joint;
+pub mod signal;
+pub mod space;
+pub mod system;
+pub mod text;
