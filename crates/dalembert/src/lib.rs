@@ -5,11 +5,12 @@
 #![forbid(unsafe_code)]
 
 pub mod diagnostic;
-pub mod model;
-pub mod results;
 pub mod force;
 pub mod joint;
+pub mod model;
+pub mod results;
 pub mod signal;
+pub mod solve;
 pub mod space;
 pub mod system;
 pub mod text;
