@@ -1,7 +1,7 @@
 //! Everything that changes while a system is evaluated, allocated once.
 
 use super::System;
-use crate::solve::{Factored, Rhs, Saddle};
+use crate::solve::{Factored, Residual, Rhs, Saddle};
 use crate::space::Space;
 
 /// Buffers of one evaluation of a system.
@@ -65,27 +65,24 @@ impl<S: Space> Workspace<S> {
     }
 
     /// Factors [W C_q^T; C_q 0] with the Jacobian of the workspace.
-    pub fn factor(&mut self, weight_inverse: &[f64]) -> Factored {
+    pub fn factor(&mut self, weight_inverse: &[f64]) -> Factored<'_> {
         self.saddle.factor(weight_inverse, &self.jac, &self.jac_aux)
     }
 
-    /// Solves W a + C_q^T lambda = f, C_q a = rhs for `a` and `lambda` with the last factors;
-    /// returns the relative residual.
-    pub fn solve(&mut self, weight: &[f64], f: &[f64]) -> f64 {
-        let n = f.len().min(weight.len());
+    /// Solves W a + C_q^T lambda = f, C_q a = rhs for `a` and `lambda` with the last factors; `f`
+    /// has an entry for every velocity coordinate, zero for auxiliaries.
+    pub fn solve(&mut self, weight: &[f64], f: &[f64]) -> Residual {
         let bodies = self.a.len() - self.zero_aux.len();
-        debug_assert!(n <= f.len());
         let (a, s) = self.a.split_at_mut(bodies);
-        self.saddle
-            .solve(
-                weight,
-                &self.jac,
-                &self.jac_aux,
-                Rhs { f: &f[..bodies], g: &self.rhs, h: &self.zero_aux },
-                a,
-                &mut self.lambda,
-                s,
-            )
-            .relative
+        let rhs = Rhs { f: &f[..bodies], g: &self.rhs, h: &self.zero_aux };
+        self.saddle.solve(weight, rhs, a, &mut self.lambda, s)
+    }
+
+    /// Solves M a + C_q^T lambda = Q_e, C_q a = rhs with the forces of the workspace.
+    pub fn solve_forces(&mut self, mass: &[f64]) -> Residual {
+        let bodies = self.a.len() - self.zero_aux.len();
+        let (a, s) = self.a.split_at_mut(bodies);
+        let rhs = Rhs { f: &self.force[..bodies], g: &self.rhs, h: &self.zero_aux };
+        self.saddle.solve(mass, rhs, a, &mut self.lambda, s)
     }
 }
