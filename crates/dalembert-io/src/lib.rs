@@ -1,1 +1,4 @@
 //! Model files, result files and plots.
+#![forbid(unsafe_code)]
+
+pub mod model_file;

@@ -1,0 +1,256 @@
+//! One value of the file with its place, and how it is read as a number, text, list or table.
+
+use super::context::Context;
+use super::names::{Reference, Section};
+use super::suggest::{listed, nearest};
+use super::table_reader::TableReader;
+use dalembert::diagnostic::Diagnostic;
+use dalembert::model::{Point, Value};
+use std::rc::Rc;
+use toml::de::DeValue;
+
+/// A value of the file and where it stands. Reading returns `None` after reporting a mistake.
+pub(super) struct Item<'a> {
+    pub context: &'a Context<'a>,
+    pub value: &'a DeValue<'a>,
+    pub place: Place,
+}
+
+/// Where a value stands, and how a person calls it.
+#[derive(Clone)]
+pub(super) struct Place {
+    /// Path in the model.
+    pub path: String,
+    /// The element, as messages name it: `body "crank"`.
+    pub label: Rc<str>,
+    /// Bytes of `path` that name the element and its dot.
+    pub element: usize,
+}
+
+impl Place {
+    /// A message about this place, naming the element and the key.
+    pub fn message(&self, text: &str) -> String {
+        match self.path.get(self.element..) {
+            Some(key) if !key.is_empty() => format!("{}: `{key}`: {text}", self.label),
+            _ => format!("{}: {text}", self.label),
+        }
+    }
+}
+
+impl<'a> Item<'a> {
+    /// Reports a mistake of this value.
+    pub fn error(&self, code: &str, text: &str, help: Option<String>) {
+        let mut diagnostic =
+            Diagnostic::error(code, self.place.path.clone(), self.place.message(text));
+        diagnostic.help = help;
+        self.context.report(diagnostic);
+    }
+
+    /// Reports that the value has the wrong type.
+    pub fn wrong_type(&self, expected: &str) {
+        let text = format!("expected {expected}, found {}", type_name(self.value));
+        self.error("wrong-type", &text, None);
+    }
+
+    /// A number in SI units, or a text with a unit or an expression.
+    pub fn value(&self) -> Option<Value> {
+        match self.value {
+            DeValue::String(text) if text.trim().is_empty() => {
+                self.error(
+                    "empty-text",
+                    "expected a number or a text like \"30 deg\", found an empty text",
+                    None,
+                );
+                None
+            }
+            DeValue::String(text) => Some(Value::Text(text.to_string())),
+            DeValue::Integer(_) | DeValue::Float(_) => self.number().map(Value::Number),
+            _ => {
+                self.wrong_type("a number or a text like \"30 deg\"");
+                None
+            }
+        }
+    }
+
+    fn number(&self) -> Option<f64> {
+        let number = match self.value {
+            // Radix is 2, 8, 10 or 16 here; a number with too many digits is refused below.
+            DeValue::Integer(digits) => i64::from_str_radix(digits.as_str(), digits.radix())
+                .map_or(f64::INFINITY, |n| n as f64),
+            DeValue::Float(digits) => digits.as_str().parse().unwrap_or(f64::NAN),
+            _ => f64::NAN,
+        };
+        if number.is_finite() {
+            return Some(number);
+        }
+        self.error(
+            "not-finite",
+            "the number must be finite and not too large",
+            None,
+        );
+        None
+    }
+
+    /// A text that is not empty.
+    pub fn text(&self) -> Option<String> {
+        match self.value {
+            DeValue::String(text) if text.trim().is_empty() => {
+                self.error("empty-text", "the text must not be empty", None);
+                None
+            }
+            DeValue::String(text) => Some(text.to_string()),
+            _ => {
+                self.wrong_type("a text");
+                None
+            }
+        }
+    }
+
+    /// True or false.
+    pub fn boolean(&self) -> Option<bool> {
+        let result = match self.value {
+            DeValue::Boolean(b) => Some(*b),
+            _ => None,
+        };
+        if result.is_none() {
+            self.wrong_type("`true` or `false`");
+        }
+        result
+    }
+
+    /// A whole number, 1 or more.
+    pub fn count(&self) -> Option<u32> {
+        let DeValue::Integer(digits) = self.value else {
+            self.wrong_type("a whole number");
+            return None;
+        };
+        match u32::from_str_radix(digits.as_str(), digits.radix()) {
+            Ok(count) if count > 0 => Some(count),
+            _ => {
+                let text = format!("expected a whole number from 1 to {}", u32::MAX);
+                self.error("out-of-range", &text, None);
+                None
+            }
+        }
+    }
+
+    /// One of a few words.
+    pub fn choice<T: Copy>(&self, choices: &[(&'static str, T)]) -> Option<T> {
+        let words = || choices.iter().map(|(word, _)| *word);
+        let DeValue::String(text) = self.value else {
+            self.wrong_type(&format!("one of {}", listed(words())));
+            return None;
+        };
+        let found = choices.iter().find(|(word, _)| *word == text.as_ref());
+        if found.is_none() {
+            self.error(
+                "unknown-word",
+                &format!("`{text}` is not known here"),
+                Some(did_you_mean(text, words())),
+            );
+        }
+        found.map(|(_, choice)| *choice)
+    }
+
+    /// A list; entries that cannot be read are reported and left out.
+    pub fn list<T>(&self, read: impl Fn(&Item<'a>) -> Option<T>) -> Option<Vec<T>> {
+        Some(self.entries("a list")?.iter().filter_map(read).collect())
+    }
+
+    /// Two things.
+    pub fn pair<T>(&self, read: impl Fn(&Item<'a>) -> Option<T>) -> Option<[T; 2]> {
+        let entries = self.entries("a list of 2")?;
+        let found = entries.len();
+        let read: Vec<Option<T>> = entries.iter().map(read).collect();
+        if found != 2 {
+            self.wrong_length("2", found);
+            return None;
+        }
+        let pair: Vec<T> = read.into_iter().collect::<Option<_>>()?;
+        pair.try_into().ok()
+    }
+
+    /// A point or vector with as many components as the space has.
+    pub fn point(&self) -> Option<Point> {
+        let expected = self.context.dimension.get();
+        let entries = self.entries(&format!("a list of {expected} numbers"))?;
+        if entries.len() != expected {
+            self.wrong_length(&expected.to_string(), entries.len());
+        }
+        entries.iter().map(Item::value).collect()
+    }
+
+    /// The entries of a list.
+    pub fn entries(&self, expected: &str) -> Option<Vec<Item<'a>>> {
+        let DeValue::Array(array) = self.value else {
+            self.wrong_type(expected);
+            return None;
+        };
+        let entry = |(k, value): (usize, &'a toml::Spanned<DeValue<'a>>)| Item {
+            context: self.context,
+            value: value.get_ref(),
+            place: Place {
+                path: format!("{}[{k}]", self.place.path),
+                ..self.place.clone()
+            },
+        };
+        Some(array.iter().enumerate().map(entry).collect())
+    }
+
+    /// Reports a list of the wrong length.
+    pub fn wrong_length(&self, expected: &str, found: usize) {
+        let text = format!("expected {expected} entries, found {found}");
+        self.error("wrong-length", &text, None);
+    }
+
+    /// Name of a body; whether it exists is checked when all are known.
+    pub fn body(&self) -> Option<String> {
+        self.reference(Section::Body)
+    }
+
+    /// Name of a joint; whether it exists is checked when all are known.
+    pub fn joint(&self) -> Option<String> {
+        self.reference(Section::Joint)
+    }
+
+    fn reference(&self, section: Section) -> Option<String> {
+        let name = self.text()?;
+        self.context.references.borrow_mut().push(Reference {
+            section,
+            name: name.clone(),
+            place: self.place.clone(),
+        });
+        Some(name)
+    }
+
+    /// A table.
+    pub fn table(&self) -> Option<TableReader<'a>> {
+        let DeValue::Table(table) = self.value else {
+            self.wrong_type("a table");
+            return None;
+        };
+        Some(TableReader::new(self.context, table, self.place.clone()))
+    }
+}
+
+/// Help for a word that is not known.
+pub(super) fn did_you_mean<'b>(word: &str, allowed: impl Iterator<Item = &'b str>) -> String {
+    let allowed: Vec<&str> = allowed.collect();
+    let list = listed(allowed.iter().copied());
+    match nearest(word, allowed) {
+        Some(near) => format!("did you mean `{near}`? allowed here: {list}"),
+        None => format!("allowed here: {list}"),
+    }
+}
+
+/// The type of a value, for people.
+pub(super) fn type_name(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "`true` or `false`",
+        DeValue::Datetime(_) => "a date or time",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}

@@ -1,0 +1,62 @@
+//! Sections that are there once: `[model]`, `[analysis]`, `[output]`.
+
+use crate::model_file::item::Item;
+use crate::model_file::table_reader::TableReader;
+use dalembert::model::{AnalysisOptions, Info, OutputOptions, SpaceKind, Stabilization};
+
+/// Reads `[model]`.
+pub(super) fn info(mut table: TableReader<'_>) -> Info {
+    let name = table.required("name", Item::text).unwrap_or_default();
+    let description = table.optional("description", Item::text);
+    let spaces = [
+        ("planar", SpaceKind::Planar),
+        ("spatial", SpaceKind::Spatial),
+    ];
+    let space = table
+        .optional("space", |item| item.choice(&spaces))
+        .unwrap_or_default();
+    let components = match space {
+        SpaceKind::Planar => 2,
+        SpaceKind::Spatial => 3,
+    };
+    table.context().dimension.set(components);
+    let info = Info {
+        name,
+        description,
+        space,
+        gravity: table.point("gravity"),
+    };
+    table.finish();
+    info
+}
+
+/// Reads `[analysis]`.
+pub(super) fn analysis(mut table: TableReader<'_>) -> AnalysisOptions {
+    let stabilizations = [
+        ("projection", Stabilization::Projection),
+        ("baumgarte", Stabilization::Baumgarte),
+    ];
+    let options = AnalysisOptions {
+        start: table.value("start"),
+        end: table.value("end"),
+        step: table.value("step"),
+        tolerance: table.value("tolerance"),
+        max_step: table.value("max_step"),
+        stabilization: table.optional("stabilization", |item| item.choice(&stabilizations)),
+        baumgarte: table.optional("baumgarte", |item| item.pair(Item::value)),
+        max_iterations: table.optional("max_iterations", Item::count),
+        actuators: table.list("actuators", Item::joint),
+        independent: table.list("independent", Item::text),
+    };
+    table.finish();
+    options
+}
+
+/// Reads `[output]`.
+pub(super) fn output(mut table: TableReader<'_>) -> OutputOptions {
+    let options = OutputOptions {
+        channels: table.list("channels", Item::text),
+    };
+    table.finish();
+    options
+}

@@ -1,0 +1,86 @@
+//! Functions given by points.
+
+use crate::model_file::csv_table;
+use crate::model_file::item::Item;
+use crate::model_file::names::Section;
+use crate::model_file::table_reader::TableReader;
+use dalembert::model::{Interpolation, Table};
+
+const INTERPOLATIONS: [(&str, Interpolation); 3] = [
+    ("cubic", Interpolation::Cubic),
+    ("quintic", Interpolation::Quintic),
+    ("linear", Interpolation::Linear),
+];
+
+/// Reads a `[[table]]`, and the CSV file that it names.
+pub(super) fn lower(mut reader: TableReader<'_>) -> Option<Table> {
+    let mut table = Table {
+        name: reader.name(Section::Table),
+        interpolation: reader
+            .optional("interpolation", |item| item.choice(&INTERPOLATIONS))
+            .unwrap_or_default(),
+        periodic: reader.flag("periodic"),
+        x: reader.list("x", Item::value),
+        y: reader.list("y", Item::value),
+        file: reader.optional("file", Item::text),
+        columns: reader.optional("columns", |item| {
+            item.pair(|item| item.count().map(|n| n as usize))
+        }),
+        x_unit: reader.optional("x_unit", Item::text),
+        y_unit: reader.optional("y_unit", Item::text),
+    };
+    let inline = reader.has("x") || reader.has("y");
+    let help = "give `x` and `y`, or the name of a CSV `file` beside the model file";
+    match (inline, reader.has("file")) {
+        (true, true) => {
+            reader.combination("file", "`file` excludes `x` and `y`", help);
+        }
+        (false, false) => reader.combination("x", "the points are missing", help),
+        (true, false) => {
+            check_points(&mut reader, help);
+            for key in ["columns", "x_unit", "y_unit"] {
+                if reader.has(key) {
+                    reader.combination(key, &format!("`{key}` speaks of a CSV `file`"), help);
+                }
+            }
+        }
+        (false, true) => {
+            if let (Some(item), Some(file)) = (reader.item("file"), table.file.clone()) {
+                // The engine may speak of the points, which the model file does not have.
+                let mut aliases = item.context.aliases.borrow_mut();
+                for key in ["x", "y"] {
+                    let points = format!("{}.{key}", reader.place().path);
+                    aliases.push((points, item.place.path.clone()));
+                }
+                drop(aliases);
+                match csv_table::read(item.context.folder, &file, &table) {
+                    Ok((x, y)) => (table.x, table.y) = (x, y),
+                    Err(error) => item.error("csv", &error.to_string(), error.help()),
+                }
+            }
+        }
+    }
+    reader.finish();
+    Some(table)
+}
+
+fn check_points(reader: &mut TableReader<'_>, help: &str) {
+    if !(reader.has("x") && reader.has("y")) {
+        let there = if reader.has("x") { "x" } else { "y" };
+        reader.combination(there, "`x` and `y` need each other", help);
+        return;
+    }
+    let mut length = |key| -> Option<(Item<'_>, usize)> {
+        let item = reader.item(key)?;
+        let length = item.value.as_array()?.len();
+        Some((item, length))
+    };
+    let (Some((x, arguments)), Some((y, values))) = (length("x"), length("y")) else {
+        return;
+    };
+    if arguments < 2 {
+        x.wrong_length("at least 2", arguments);
+    } else if values != arguments {
+        y.wrong_length(&format!("{arguments} (as many as `x`)"), values);
+    }
+}

@@ -1,0 +1,19 @@
+//! Points whose motion is wanted.
+
+use crate::model_file::item::Item;
+use crate::model_file::names::Section;
+use crate::model_file::table_reader::TableReader;
+use dalembert::model::Trace;
+
+/// Reads a `[[trace]]`.
+pub(super) fn lower(mut table: TableReader<'_>) -> Option<Trace> {
+    let trace = Trace {
+        name: table.name(Section::Trace),
+        body: table.need_body("body"),
+        at: table.point("at"),
+        angle: table.value("angle"),
+        relative_to: table.optional("relative_to", Item::body),
+    };
+    table.finish();
+    Some(trace)
+}

@@ -1,0 +1,84 @@
+//! Model files: reading with every mistake reported, and writing.
+
+mod context;
+mod csv_table;
+mod item;
+mod line_column;
+mod lower;
+mod names;
+mod report;
+mod schema;
+mod source_map;
+mod suggest;
+mod table_reader;
+mod templates;
+mod write;
+
+pub use line_column::line_column;
+pub use report::{render, to_json};
+pub use schema::schema;
+pub use source_map::SourceMap;
+pub use templates::{Template, templates};
+pub use write::write_model;
+
+use context::Context;
+use dalembert::diagnostic::Diagnostic;
+use dalembert::model::Model;
+use std::path::Path;
+use toml::de::DeTable;
+
+/// What reading a model file gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parsed {
+    /// The model, if the file has no errors.
+    pub model: Option<Model>,
+    /// The model as far as it could be read, with placeholders (0, empty texts) where it could
+    /// not: only for finding more mistakes, such as those inside expressions. `None` if the file
+    /// is not TOML.
+    pub draft: Option<Model>,
+    /// Where everything stands in the file.
+    pub source: SourceMap,
+    /// All findings, in the order of the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads the text of a model file. `folder` is where the files lie that the model names.
+///
+/// Finds all mistakes at once, except that a file which is not TOML is not read further.
+/// Expressions and units are not looked into: the engine does that.
+pub fn parse_model(text: &str, folder: Option<&Path>) -> Parsed {
+    let (root, errors) = DeTable::parse_recoverable(text);
+    if !errors.is_empty() {
+        let diagnostics = errors.iter().map(syntax_error).collect();
+        return Parsed {
+            model: None,
+            draft: None,
+            source: SourceMap::default(),
+            diagnostics,
+        };
+    }
+    let mut source = SourceMap::new(text, root.get_ref());
+    let context = Context::new(folder);
+    let draft = lower::model(&context, root.get_ref());
+    names::check(&context);
+    for path in context.key_paths.take() {
+        source.point_at_key(&path);
+    }
+    for (path, real) in context.aliases.take() {
+        source.alias(&path, &real);
+    }
+    let mut diagnostics = context.diagnostics.take();
+    diagnostics.sort_by_key(|d| source.locate_diagnostic(d).map(|span| span.start));
+    let usable = !diagnostics.iter().any(Diagnostic::is_error);
+    Parsed {
+        model: usable.then(|| draft.clone()),
+        draft: Some(draft),
+        source,
+        diagnostics,
+    }
+}
+
+fn syntax_error(error: &toml::de::Error) -> Diagnostic {
+    let message = format!("not valid TOML: {}", error.message());
+    Diagnostic::error("toml-syntax", "", message).span(error.span().unwrap_or(0..0))
+}

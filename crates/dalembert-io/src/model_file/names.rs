@@ -1,0 +1,155 @@
+//! Names of elements: each only once, and every used name must exist.
+
+use super::context::Context;
+use super::item::Place;
+use super::suggest::{listed, nearest};
+use dalembert::diagnostic::Diagnostic;
+use dalembert::model::GROUND;
+use std::collections::{BTreeSet, HashMap};
+
+/// The sections whose elements have names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Section {
+    Parameter,
+    Table,
+    Body,
+    Joint,
+    Constraint,
+    Driver,
+    Force,
+    Trace,
+}
+
+impl Section {
+    /// The word for one of its elements.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            Self::Table => "table",
+            Self::Body => "body",
+            Self::Joint => "joint",
+            Self::Constraint => "constraint",
+            Self::Driver => "driver",
+            Self::Force => "force",
+            Self::Trace => "trace",
+        }
+    }
+}
+
+/// A name that an element has.
+pub(super) struct NameOf {
+    pub section: Section,
+    pub name: String,
+    pub place: Place,
+}
+
+/// A name that an element uses.
+pub(super) struct Reference {
+    pub section: Section,
+    pub name: String,
+    pub place: Place,
+}
+
+/// Can the name not be used in channels and expressions?
+pub(super) fn is_bad_name(name: &str) -> bool {
+    name.is_empty()
+        || name.trim() != name
+        || name.contains(['.', '"', '\'', '`'])
+        || name.chars().any(char::is_control)
+}
+
+/// Is the text an identifier: a letter or underscore, then letters, digits and underscores?
+pub(super) fn is_identifier(name: &str) -> bool {
+    let mut chars = name.chars();
+    chars.next().is_some_and(|c| c.is_alphabetic() || c == '_')
+        && chars.all(|c| c.is_alphanumeric() || c == '_')
+}
+
+/// Checks that no name is used twice or reserved, and that every used name exists.
+pub(super) fn check(context: &Context<'_>) {
+    check_unique(context);
+    check_references(context);
+}
+
+/// Bodies, joints, parameters and all the others share one name space: channels and expressions
+/// speak of all of them.
+fn check_unique(context: &Context<'_>) {
+    let names = context.names.borrow();
+    let mut first: HashMap<&str, &NameOf> = HashMap::new();
+    for name in names.iter() {
+        let mistake = if name.name == GROUND {
+            Some((
+                "reserved-name",
+                "the name \"ground\" belongs to the fixed body that always exists".to_owned(),
+            ))
+        } else if name.name == "t" {
+            Some((
+                "reserved-name",
+                "the name \"t\" belongs to the time".to_owned(),
+            ))
+        } else {
+            first.get(name.name.as_str()).map(|other| {
+                (
+                    "duplicate-name",
+                    format!(
+                        "the name \"{}\" is already taken by a {} ({})",
+                        name.name,
+                        other.section.word(),
+                        other.place.path.trim_end_matches(".name"),
+                    ),
+                )
+            })
+        };
+        first.entry(&name.name).or_insert(name);
+        let Some((code, text)) = mistake else {
+            continue;
+        };
+        let message = format!("{}: {text}", name.place.label);
+        let diagnostic = Diagnostic::error(code, name.place.path.clone(), message)
+            .help("choose another name: all elements and parameters share one name space");
+        if name.section == Section::Parameter {
+            context.report_key(diagnostic);
+        } else {
+            context.report(diagnostic);
+        }
+    }
+}
+
+fn check_references(context: &Context<'_>) {
+    let names = context.names.borrow();
+    let of = |section: Section| -> BTreeSet<&str> {
+        let ground = (section == Section::Body).then_some(GROUND);
+        names
+            .iter()
+            .filter(|n| n.section == section)
+            .map(|n| n.name.as_str())
+            .chain(ground)
+            .collect()
+    };
+    let (bodies, joints) = (of(Section::Body), of(Section::Joint));
+    for used in context.references.borrow().iter() {
+        let known = if used.section == Section::Body {
+            &bodies
+        } else {
+            &joints
+        };
+        if known.contains(used.name.as_str()) {
+            continue;
+        }
+        let word = used.section.word();
+        let text = format!("there is no {word} \"{}\"", used.name);
+        let other = names.iter().find(|n| n.name == used.name);
+        let help = match (nearest(&used.name, known.iter().copied()), other) {
+            (_, Some(other)) => {
+                format!("\"{}\" is a {}", used.name, other.section.word())
+            }
+            (Some(near), None) => format!("did you mean \"{near}\"?"),
+            (None, None) if known.is_empty() => format!("the model has no {word}"),
+            (None, None) => format!("known: {}", listed(known.iter().copied().take(20))),
+        };
+        let code = format!("unknown-{word}");
+        context.report(
+            Diagnostic::error(&code, used.place.path.clone(), used.place.message(&text)).help(help),
+        );
+    }
+}

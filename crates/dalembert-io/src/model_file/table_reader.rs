@@ -1,0 +1,239 @@
+//! A table of the file that remembers which keys were asked for.
+
+use super::context::Context;
+use super::item::{Item, Place, did_you_mean};
+use super::names::{NameOf, Section, is_bad_name};
+use super::source_map::child;
+use super::suggest::{listed, nearest};
+use dalembert::diagnostic::Diagnostic;
+use dalembert::model::{Point, Value};
+use toml::de::{DeTable, DeValue};
+
+/// Reads a table key by key. [`TableReader::finish`] reports the keys that nobody asked for, and
+/// the needed ones that are missing.
+pub(super) struct TableReader<'a> {
+    context: &'a Context<'a>,
+    table: &'a DeTable<'a>,
+    place: Place,
+    asked: Vec<&'static str>,
+    missing: Vec<&'static str>,
+}
+
+impl<'a> TableReader<'a> {
+    /// Opens a table.
+    pub fn new(context: &'a Context<'a>, table: &'a DeTable<'a>, place: Place) -> Self {
+        Self {
+            context,
+            table,
+            place,
+            asked: Vec::new(),
+            missing: Vec::new(),
+        }
+    }
+
+    /// What all readers share.
+    pub fn context(&self) -> &'a Context<'a> {
+        self.context
+    }
+
+    /// Where the table stands.
+    pub fn place(&self) -> &Place {
+        &self.place
+    }
+
+    /// The value of a key, as it stands in the file.
+    pub fn item(&mut self, key: &'static str) -> Option<Item<'a>> {
+        if !self.asked.contains(&key) {
+            self.asked.push(key);
+        }
+        let value = self.table.get(key)?;
+        Some(Item {
+            context: self.context,
+            value: value.get_ref(),
+            place: Place {
+                path: child(&self.place.path, key),
+                ..self.place.clone()
+            },
+        })
+    }
+
+    /// Does the table have the key?
+    pub fn has(&self, key: &str) -> bool {
+        self.table.contains_key(key)
+    }
+
+    /// A key that may be left out.
+    pub fn optional<T>(
+        &mut self,
+        key: &'static str,
+        read: impl FnOnce(&Item<'a>) -> Option<T>,
+    ) -> Option<T> {
+        read(&self.item(key)?)
+    }
+
+    /// A key that must be there; `None` after a mistake, which is reported.
+    pub fn required<T>(
+        &mut self,
+        key: &'static str,
+        read: impl FnOnce(&Item<'a>) -> Option<T>,
+    ) -> Option<T> {
+        let item = self.item(key);
+        if item.is_none() {
+            self.missing.push(key);
+        }
+        read(&item?)
+    }
+
+    /// A list that may be left out.
+    pub fn list<T>(&mut self, key: &'static str, read: impl Fn(&Item<'a>) -> Option<T>) -> Vec<T> {
+        self.optional(key, |item| item.list(read))
+            .unwrap_or_default()
+    }
+
+    /// A number or text that may be left out.
+    pub fn value(&mut self, key: &'static str) -> Option<Value> {
+        self.optional(key, Item::value)
+    }
+
+    /// A number or text that must be there; after a mistake a placeholder.
+    pub fn need_value(&mut self, key: &'static str) -> Value {
+        self.required(key, Item::value).unwrap_or_default()
+    }
+
+    /// A point that may be left out.
+    pub fn point(&mut self, key: &'static str) -> Option<Point> {
+        self.optional(key, Item::point)
+    }
+
+    /// The points in the frames of two bodies, that must be there; after a mistake placeholders.
+    pub fn need_points(&mut self, key: &'static str) -> [Point; 2] {
+        self.required(key, |item| item.pair(Item::point))
+            .unwrap_or_default()
+    }
+
+    /// A body that must be there; after a mistake a placeholder.
+    pub fn need_body(&mut self, key: &'static str) -> String {
+        self.required(key, Item::body).unwrap_or_default()
+    }
+
+    /// Two bodies that must be there; after a mistake placeholders.
+    pub fn need_bodies(&mut self) -> [String; 2] {
+        self.required("bodies", |item| item.pair(Item::body))
+            .unwrap_or_default()
+    }
+
+    /// A joint that must be there; after a mistake a placeholder.
+    pub fn need_joint(&mut self) -> String {
+        self.required("joint", Item::joint).unwrap_or_default()
+    }
+
+    /// A yes or no that may be left out and is then no.
+    pub fn flag(&mut self, key: &'static str) -> bool {
+        self.optional(key, Item::boolean).unwrap_or_default()
+    }
+
+    /// The element's own name; whether another has it too is checked when all are known.
+    pub fn name(&mut self, section: Section) -> String {
+        let Some(item) = self.item("name") else {
+            self.missing.push("name");
+            return String::new();
+        };
+        let DeValue::String(name) = item.value else {
+            item.wrong_type("a text");
+            return String::new();
+        };
+        if is_bad_name(name) {
+            item.error(
+                "bad-name",
+                "a name must not be empty, start or end with a space, or contain a dot, a quote \
+                 or a line break",
+                None,
+            );
+            return String::new();
+        }
+        self.context.names.borrow_mut().push(NameOf {
+            section,
+            name: name.to_string(),
+            place: item.place,
+        });
+        name.to_string()
+    }
+
+    /// The `kind` of the element: one of `kinds`.
+    ///
+    /// After a mistake the other keys mean nothing; the caller then leaves the table.
+    pub fn kind<T: Copy>(&mut self, kinds: &[(&'static str, T)]) -> Option<T> {
+        let Some(item) = self.item("kind") else {
+            let allowed = listed(kinds.iter().map(|(word, _)| *word));
+            let message = self.place.message("the key `kind` is missing");
+            self.context.report(
+                Diagnostic::error("missing-key", self.place.path.clone(), message)
+                    .help(format!("one of {allowed}")),
+            );
+            return None;
+        };
+        let DeValue::String(word) = item.value else {
+            item.wrong_type("a text");
+            return None;
+        };
+        let found = kinds.iter().find(|(kind, _)| *kind == word.as_ref());
+        if found.is_none() {
+            item.error(
+                "unknown-kind",
+                &format!("there is no kind `{word}`"),
+                Some(did_you_mean(word, kinds.iter().map(|(kind, _)| *kind))),
+            );
+        }
+        found.map(|(_, kind)| *kind)
+    }
+
+    /// Reports a wrong combination of keys; `key` is where the diagnostic points if it is there.
+    pub fn combination(&self, key: &str, text: &str, help: &str) {
+        let path = if self.has(key) {
+            child(&self.place.path, key)
+        } else {
+            self.place.path.clone()
+        };
+        let message = self.place.message(text);
+        let diagnostic = Diagnostic::error("wrong-combination", path, message).help(help);
+        if self.has(key) {
+            self.context.report_key(diagnostic);
+        } else {
+            self.context.report(diagnostic);
+        }
+    }
+
+    /// Reports keys that nobody asked for and needed keys that are missing.
+    pub fn finish(self) {
+        let mut missing = self.missing;
+        for (key, _) in self.table.iter() {
+            let key = key.get_ref();
+            if self.asked.contains(&key.as_ref()) {
+                continue;
+            }
+            let free = self
+                .asked
+                .iter()
+                .copied()
+                .filter(|k| !self.table.contains_key(*k));
+            // A misspelt needed key is one mistake, not two.
+            if let Some(meant) = nearest(key, free) {
+                missing.retain(|k| *k != meant);
+            }
+            let message = self.place.message(&format!("unknown key `{key}`"));
+            let path = child(&self.place.path, key);
+            self.context.report_key(
+                Diagnostic::error("unknown-key", path, message)
+                    .help(did_you_mean(key, self.asked.iter().copied())),
+            );
+        }
+        for key in missing {
+            let message = self.place.message(&format!("the key `{key}` is missing"));
+            self.context.report(Diagnostic::error(
+                "missing-key",
+                self.place.path.clone(),
+                message,
+            ));
+        }
+    }
+}
