@@ -115,6 +115,23 @@ impl Program {
         self.run(|k| values.get(k).copied().unwrap_or(missing))
     }
 
+    /// Value and first three derivatives of a program of one value.
+    pub fn eval_third(&self, values: &[f64]) -> [f64; 4] {
+        let at = |x: f64| self.eval_jet(&[Jet2::time(x)]);
+        let Some(&x) = values.first() else {
+            return [self.eval(values), 0.0, 0.0, 0.0];
+        };
+        let jet = at(x);
+        let h = 1e-4;
+        let slope = |h: f64| (at(x + h).dd - at(x - h).dd) / (2.0 * h);
+        [
+            jet.v,
+            jet.d,
+            jet.dd,
+            (4.0 * slope(0.5 * h) - slope(h)) / 3.0,
+        ]
+    }
+
     /// The place in the text of the first part that has no finite value.
     pub fn first_non_finite(&self, values: &[f64]) -> Option<Range<usize>> {
         let mut place = None;

@@ -4,6 +4,7 @@
 //! The way of data: [`model::Model`] -> network -> system -> analysis -> [`results::Results`].
 #![forbid(unsafe_code)]
 
+pub mod analysis;
 pub mod diagnostic;
 pub mod force;
 pub mod joint;

@@ -1,8 +1,8 @@
 //! From a rough estimate to a consistent pose and consistent velocities.
 
+use super::AnalysisError;
 use super::newton::{NewtonOptions, correct_positions, correct_velocities};
 use super::weights::Weights;
-use super::AnalysisError;
 use crate::space::Space;
 use crate::system::{State, System, Workspace};
 
@@ -53,8 +53,14 @@ impl Assembly {
         let mut ws = Workspace::new(&positions);
         let weights = Weights::new(&positions, &system.position_weight);
         let mut trial = Vec::new();
-        let newton =
-            correct_positions(&positions, &mut ws, &mut state, &weights, &self.newton, &mut trial)?;
+        let newton = correct_positions(
+            &positions,
+            &mut ws,
+            &mut state,
+            &weights,
+            &self.newton,
+            &mut trial,
+        )?;
         report.iterations = newton.iterations;
         report.moved = moved(system, &system.estimate.q, &state.q, 1e-9);
 
@@ -68,10 +74,14 @@ impl Assembly {
         let mut changed = moved(system, &system.estimate.v, &state.v, 1e-9);
         // Velocities that the user did not give are found, not changed.
         changed.retain(|m| {
-            system.bodies.iter().position(|b| b.name == m.body).is_some_and(|b| {
-                let w = &system.velocity_weight[b * S::NV..(b + 1) * S::NV];
-                (w[0] == 1.0 && m.distance > 0.0) || (w[S::NV - 1] == 1.0 && m.turn > 0.0)
-            })
+            system
+                .bodies
+                .iter()
+                .position(|b| b.name == m.body)
+                .is_some_and(|b| {
+                    let w = &system.velocity_weight[b * S::NV..(b + 1) * S::NV];
+                    (w[0] == 1.0 && m.distance > 0.0) || (w[S::NV - 1] == 1.0 && m.turn > 0.0)
+                })
         });
         report.velocities_changed = changed;
         if let Some(k) = state.q.iter().chain(&state.v).position(|x| !x.is_finite()) {

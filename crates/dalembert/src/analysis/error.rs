@@ -32,7 +32,9 @@ pub enum AnalysisError {
         names: String,
     },
     /// The driven machine came to a singular pose.
-    #[error("singular pose at t = {time:.6} s ({kind}): {detail}; results are kept until t = {last:.6} s")]
+    #[error(
+        "singular pose at t = {time:.6} s ({kind}): {detail}; results are kept until t = {last:.6} s"
+    )]
     Singular {
         /// Time at which the pose was found [s].
         time: f64,
@@ -44,13 +46,17 @@ pub enum AnalysisError {
         detail: String,
     },
     /// Masses are missing where the motion depends on them.
-    #[error("masses are missing: {names}; give mass and inertia of these bodies, or hold them by joints")]
+    #[error(
+        "masses are missing: {names}; give mass and inertia of these bodies, or hold them by joints"
+    )]
     Massless {
         /// The coordinates that no mass and no constraint hold.
         names: String,
     },
     /// A force element or constraint gave a number that is not finite.
-    #[error("{element} gives a value that is not finite at t = {time} s; check its expression and the pose")]
+    #[error(
+        "{element} gives a value that is not finite at t = {time} s; check its expression and the pose"
+    )]
     NotFinite {
         /// The element in words.
         element: String,
@@ -84,7 +90,9 @@ pub enum AnalysisError {
         detail: String,
     },
     /// The actuators named for `inverse` cannot produce the motion.
-    #[error("{given} actuators are named, but the driven motion has {needed} drivers; name exactly {needed} joints")]
+    #[error(
+        "{given} actuators are named, but the driven motion has {needed} drivers; name exactly {needed} joints"
+    )]
     ActuatorCount {
         /// Given.
         given: usize,

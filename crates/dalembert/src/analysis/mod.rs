@@ -2,18 +2,12 @@
 //! statics, equations. Each analysis is a small struct of options with a `run`.
 
 mod assembly;
-mod dynamics;
 mod error;
-mod inverse;
-mod kinematics;
 mod newton;
 mod recorder;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
-pub use dynamics::{Dynamics, DynamicsReport};
 pub use error::AnalysisError;
-pub use inverse::Inverse;
-pub use kinematics::Kinematics;
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::Recorder;

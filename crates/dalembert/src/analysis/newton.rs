@@ -18,7 +18,10 @@ impl Default for NewtonOptions {
     fn default() -> Self {
         // The residual of a position sum of a few terms of unit size is good to some 1e-16; four
         // more digits leave room for long chains.
-        Self { max_iterations: 50, tolerance: 1e-13 }
+        Self {
+            max_iterations: 50,
+            tolerance: 1e-13,
+        }
     }
 }
 
@@ -76,7 +79,11 @@ pub(super) fn correct_positions<S: Space>(
         if !turn.is_finite() {
             return fail(system, ws, state, report);
         }
-        let mut factor = if turn > LARGEST_TURN { LARGEST_TURN / turn } else { 1.0 };
+        let mut factor = if turn > LARGEST_TURN {
+            LARGEST_TURN / turn
+        } else {
+            1.0
+        };
         let step = std::mem::take(&mut ws.a);
         // Step control: halve until the largest residual falls; a full step may also raise it
         // a little on the way around a bend.
@@ -119,7 +126,11 @@ fn largest_turn<S: Space>(system: &System<S>, step: &[f64]) -> f64 {
     for b in 0..system.bodies.len() {
         for k in 0..n {
             let x = step[b * n + k].abs();
-            let scaled = if k < linear { x / (4.0 * system.size) } else { x };
+            let scaled = if k < linear {
+                x / (4.0 * system.size)
+            } else {
+                x
+            };
             // max() would drop a NaN.
             if scaled.is_nan() {
                 return scaled;
@@ -138,7 +149,10 @@ fn fail<S: Space>(
 ) -> Result<NewtonReport, AnalysisError> {
     let (_, row) = system.violation(ws);
     if let Some(row) = ws.value.iter().position(|c| !c.is_finite()) {
-        return Err(AnalysisError::NotFinite { element: system.row_name(row), time: state.t });
+        return Err(AnalysisError::NotFinite {
+            element: system.row_name(row),
+            time: state.t,
+        });
     }
     Err(AnalysisError::NotAssembled {
         time: state.t,
@@ -154,7 +168,9 @@ fn conflict<S: Space>(system: &System<S>, ws: &Workspace<S>) -> String {
     let (largest, _) = system.violation(ws);
     let mut names: Vec<&str> = Vec::new();
     for (row, c) in ws.value.iter().enumerate() {
-        let name = system.elements[system.row_refs()[row].element].name.as_str();
+        let name = system.elements[system.row_refs()[row].element]
+            .name
+            .as_str();
         if c.abs() / system.row_scale(row) > 0.1 * largest && !names.contains(&name) {
             names.push(name);
         }

@@ -28,7 +28,12 @@ pub struct Extra {
 impl Recorder {
     /// A recorder; `dynamic` says whether accelerations and reactions belong to the results.
     pub fn new(dynamic: bool) -> Self {
-        Self { channels: Vec::new(), at: 0, scratch: Vec::new(), dynamic }
+        Self {
+            channels: Vec::new(),
+            at: 0,
+            scratch: Vec::new(),
+            dynamic,
+        }
     }
 
     /// The results so far.
@@ -53,8 +58,11 @@ impl Recorder {
 
     fn put(&mut self, owner: &str, suffix: &str, unit: &str, meaning: &str, value: f64) {
         if self.at == self.channels.len() {
-            let name =
-                if owner.is_empty() { suffix.to_owned() } else { format!("{owner}.{suffix}") };
+            let name = if owner.is_empty() {
+                suffix.to_owned()
+            } else {
+                format!("{owner}.{suffix}")
+            };
             self.channels.push(Channel {
                 name,
                 unit: unit.to_owned(),
@@ -88,7 +96,7 @@ impl Recorder {
             }
         }
         for number in 0..system.elements.len() {
-            self.element(system, ws, number);
+            self.element(system, ws, number, state.t);
         }
         let powers = self.forces(system, ws, state.t);
         self.totals(system, ws, state, extra, powers);
@@ -108,7 +116,13 @@ impl Recorder {
         };
         put(self, "x", "m", "position, ground x", m.point.x);
         put(self, "y", "m", "position, ground y", m.point.y);
-        put(self, "angle", "rad", "angle, counter-clockwise, counting turns", m.angle);
+        put(
+            self,
+            "angle",
+            "rad",
+            "angle, counter-clockwise, counting turns",
+            m.angle,
+        );
         put(self, "vx", "m/s", "velocity, ground x", m.velocity.x);
         put(self, "vy", "m/s", "velocity, ground y", m.velocity.y);
         put(self, "omega", "rad/s", "angular velocity", m.omega);
@@ -138,76 +152,196 @@ impl Recorder {
         let mut put = |suffix: &str, unit: &str, text: &str, value: Vector2<f64>| {
             for (k, axis) in ["x", "y"].into_iter().enumerate() {
                 let meaning = format!("{text}, {axis} axis of {body}");
-                self.put(name, &format!("relative.{suffix}{axis}"), unit, &meaning, value[k]);
+                self.put(
+                    name,
+                    &format!("relative.{suffix}{axis}"),
+                    unit,
+                    &meaning,
+                    value[k],
+                );
             }
         };
         put("", "m", &format!("position seen from {body}"), in_axes(d));
-        put("v", "m/s", &format!("velocity seen from {body}"), in_axes(v_rel));
+        put(
+            "v",
+            "m/s",
+            &format!("velocity seen from {body}"),
+            in_axes(v_rel),
+        );
         if self.dynamic {
-            let (a_p, a_o) = (acceleration(system, ws, marker), acceleration(system, ws, observer));
+            let (a_p, a_o) = (
+                acceleration(system, ws, marker),
+                acceleration(system, ws, observer),
+            );
             let coriolis = 2.0 * o.omega * perpendicular(&v_rel);
-            let carried = Vector2::new(a_o.x, a_o.y) + a_o.z * perpendicular(&d)
-                - o.omega * o.omega * d;
+            let carried =
+                Vector2::new(a_o.x, a_o.y) + a_o.z * perpendicular(&d) - o.omega * o.omega * d;
             let a_rel = Vector2::new(a_p.x, a_p.y) - carried - coriolis;
             let mut put = |suffix: &str, text: &str, value: Vector2<f64>| {
                 for (k, axis) in ["x", "y"].into_iter().enumerate() {
                     let meaning = format!("{text}, {axis} axis of {body}");
-                    self.put(name, &format!("relative.{suffix}{axis}"), "m/s^2", &meaning, value[k]);
+                    self.put(
+                        name,
+                        &format!("relative.{suffix}{axis}"),
+                        "m/s^2",
+                        &meaning,
+                        value[k],
+                    );
                 }
             };
-            put("a", &format!("acceleration seen from {body}"), in_axes(a_rel));
-            put("coriolis_", "Coriolis part of the acceleration 2 w x v_rel", in_axes(coriolis));
+            put(
+                "a",
+                &format!("acceleration seen from {body}"),
+                in_axes(a_rel),
+            );
+            put(
+                "coriolis_",
+                "Coriolis part of the acceleration 2 w x v_rel",
+                in_axes(coriolis),
+            );
         }
-        self.put(name, "relative.angle", "rad", &format!("angle from {body}"), p.angle - o.angle);
-        self.put(name, "relative.omega", "rad/s", &format!("angular velocity from {body}"), p.omega - o.omega);
+        self.put(
+            name,
+            "relative.angle",
+            "rad",
+            &format!("angle from {body}"),
+            p.angle - o.angle,
+        );
+        self.put(
+            name,
+            "relative.omega",
+            "rad/s",
+            &format!("angular velocity from {body}"),
+            p.omega - o.omega,
+        );
     }
 
-    fn element(&mut self, system: &System<Planar>, ws: &Workspace<Planar>, number: usize) {
+    fn element(&mut self, system: &System<Planar>, ws: &Workspace<Planar>, number: usize, t: f64) {
         let e = &system.elements[number];
         let name = e.name.as_str();
         for c in &e.coordinates {
             let (first, second) = (e.markers[c.measure.first], e.markers[c.measure.second]);
-            let m = c.measure.kind.evaluate(&ws.markers[first], &ws.markers[second]);
-            let (unit, rate, second_rate) =
-                if c.measure.kind.is_angle() { ("rad", "rad/s", "rad/s^2") } else { ("m", "m/s", "m/s^2") };
+            let m = c
+                .measure
+                .kind
+                .evaluate(&ws.markers[first], &ws.markers[second]);
+            let (unit, rate, second_rate) = if c.measure.kind.is_angle() {
+                ("rad", "rad/s", "rad/s^2")
+            } else {
+                ("m", "m/s", "m/s^2")
+            };
             let meaning = match c.measure.kind {
                 MeasureKind::Angle => "angle of the second body from the first, counting turns",
                 MeasureKind::Distance => "distance of the two points",
                 _ => "displacement along the axis, second body from the first",
             };
             self.put(name, c.name, unit, meaning, m.value);
-            self.put(name, &format!("{}_rate", c.name), rate, &format!("rate: {meaning}"), m.rate);
+            self.put(
+                name,
+                &format!("{}_rate", c.name),
+                rate,
+                &format!("rate: {meaning}"),
+                m.rate,
+            );
             if self.dynamic {
-                let (a, b) = (acceleration(system, ws, first), acceleration(system, ws, second));
+                let (a, b) = (
+                    acceleration(system, ws, first),
+                    acceleration(system, ws, second),
+                );
                 let value = m.bias + m.first.dot(&a) + m.second.dot(&b);
-                self.put(name, &format!("{}_acceleration", c.name), second_rate, &format!("acceleration: {meaning}"), value);
+                self.put(
+                    name,
+                    &format!("{}_acceleration", c.name),
+                    second_rate,
+                    &format!("acceleration: {meaning}"),
+                    value,
+                );
             }
         }
         for (k, label) in e.element.auxiliaries().iter().enumerate() {
-            self.put(name, &label.text, "rad", "surface parameter", ws.s[e.aux.start + k]);
+            self.put(
+                name,
+                &label.text,
+                "rad",
+                "surface parameter",
+                ws.s[e.aux.start + k],
+            );
         }
         if !self.dynamic {
             return;
         }
-        let wrench = reaction(system, ws, number, e.reaction_marker, &mut self.scratch);
+        let wrench = reaction(system, ws, number, e.reaction_marker, t, &mut self.scratch);
         let axes = &ws.markers[e.markers[e.axes_marker]];
         if e.role == Role::Driver && e.rows.len() == 1 {
             // C = x - f(t): the driver pushes x with -lambda.
             let effort = -ws.lambda[e.rows.start];
-            let angle = e.coordinates.first().is_some_and(|c| c.measure.kind.is_angle());
-            let (suffix, unit) = if angle { ("moment", "N m") } else { ("force", "N") };
-            self.put(name, suffix, unit, "what the driver exerts along its quantity", effort);
+            let angle = e
+                .coordinates
+                .first()
+                .is_some_and(|c| c.measure.kind.is_angle());
+            let (suffix, unit) = if angle {
+                ("moment", "N m")
+            } else {
+                ("force", "N")
+            };
+            self.put(
+                name,
+                suffix,
+                unit,
+                "what the driver exerts along its quantity",
+                effort,
+            );
         } else {
-            let on = if e.role == Role::Driver { "driver" } else { "reaction" };
-            self.put(name, "force_x", "N", &format!("{on} on the second body, ground x"), wrench.x);
-            self.put(name, "force_y", "N", &format!("{on} on the second body, ground y"), wrench.y);
-            self.put(name, "moment", "N m", &format!("{on} moment on the second body at the joint's point"), wrench.z);
+            let on = if e.role == Role::Driver {
+                "driver"
+            } else {
+                "reaction"
+            };
+            self.put(
+                name,
+                "force_x",
+                "N",
+                &format!("{on} on the second body, ground x"),
+                wrench.x,
+            );
+            self.put(
+                name,
+                "force_y",
+                "N",
+                &format!("{on} on the second body, ground y"),
+                wrench.y,
+            );
+            self.put(
+                name,
+                "moment",
+                "N m",
+                &format!("{on} moment on the second body at the joint's point"),
+                wrench.z,
+            );
             let f = Vector2::new(wrench.x, wrench.y);
-            self.put(name, "force_1", "N", &format!("{on} on the second body along the joint's x axis"), axes.ex.dot(&f));
-            self.put(name, "force_2", "N", &format!("{on} on the second body along the joint's y axis"), axes.ey().dot(&f));
+            self.put(
+                name,
+                "force_1",
+                "N",
+                &format!("{on} on the second body along the joint's x axis"),
+                axes.ex.dot(&f),
+            );
+            self.put(
+                name,
+                "force_2",
+                "N",
+                &format!("{on} on the second body along the joint's y axis"),
+                axes.ey().dot(&f),
+            );
         }
         if e.role == Role::Driver {
-            self.put(name, "power", "W", "power of the driver into the machine", driver_power(ws, e.rows.clone()));
+            self.put(
+                name,
+                "power",
+                "W",
+                "power of the driver into the machine",
+                driver_power(ws, e.rows.clone()),
+            );
         }
     }
 
@@ -218,12 +352,28 @@ impl Recorder {
             let markers: Vec<PlanarMarker> = f.markers.iter().map(|&m| ws.markers[m]).collect();
             let report = f.element.report(t, &markers);
             for (channel, value) in f.element.channels().iter().zip(report.values) {
-                self.put(&f.name, channel.suffix, channel.unit, channel.meaning, value);
+                self.put(
+                    &f.name,
+                    channel.suffix,
+                    channel.unit,
+                    channel.meaning,
+                    value,
+                );
             }
             let mut wrench = vec![Vector3::zeros(); markers.len()];
             f.element.wrenches(t, &markers, &mut wrench);
-            let own: f64 = wrench.iter().zip(&markers).map(|(w, m)| w.dot(&Planar::twist(m))).sum();
-            self.put(&f.name, "energy", "J", "potential energy stored", report.potential);
+            let own: f64 = wrench
+                .iter()
+                .zip(&markers)
+                .map(|(w, m)| w.dot(&Planar::twist(m)))
+                .sum();
+            self.put(
+                &f.name,
+                "energy",
+                "J",
+                "potential energy stored",
+                report.potential,
+            );
             potential += report.potential;
             power += own + report.potential_rate;
         }
@@ -241,8 +391,20 @@ impl Recorder {
         let (kinetic, gravity) = energies(system, ws, &state.v);
         let potential = gravity + elastic;
         self.put("energy", "kinetic", "J", "kinetic energy", kinetic);
-        self.put("energy", "potential", "J", "potential energy of gravity and springs", potential);
-        self.put("energy", "total", "J", "kinetic and potential energy", kinetic + potential);
+        self.put(
+            "energy",
+            "potential",
+            "J",
+            "potential energy of gravity and springs",
+            potential,
+        );
+        self.put(
+            "energy",
+            "total",
+            "J",
+            "kinetic and potential energy",
+            kinetic + potential,
+        );
         if self.dynamic {
             let drivers: f64 = system
                 .elements
@@ -250,18 +412,60 @@ impl Recorder {
                 .filter(|e| e.role == Role::Driver)
                 .map(|e| driver_power(ws, e.rows.clone()))
                 .sum();
-            self.put("energy", "power", "W", "power of drivers and of forces without potential", power + drivers);
+            self.put(
+                "energy",
+                "power",
+                "W",
+                "power of drivers and of forces without potential",
+                power + drivers,
+            );
         }
         if let Some(start) = extra.start_energy {
-            self.put("energy", "work", "J", "work of drivers and of forces without potential since the start", extra.work);
-            self.put("energy", "balance", "J", "total energy minus its start minus the work: the error of the run", kinetic + potential - start - extra.work);
+            self.put(
+                "energy",
+                "work",
+                "J",
+                "work of drivers and of forces without potential since the start",
+                extra.work,
+            );
+            self.put(
+                "energy",
+                "balance",
+                "J",
+                "total energy minus its start minus the work: the error of the run",
+                kinetic + potential - start - extra.work,
+            );
         }
         let momentum = momentum(system, ws, &state.v);
-        self.put("momentum", "x", "kg m/s", "linear momentum, ground x", momentum.x);
-        self.put("momentum", "y", "kg m/s", "linear momentum, ground y", momentum.y);
-        self.put("momentum", "angular", "kg m^2/s", "angular momentum about the origin", momentum.z);
+        self.put(
+            "momentum",
+            "x",
+            "kg m/s",
+            "linear momentum, ground x",
+            momentum.x,
+        );
+        self.put(
+            "momentum",
+            "y",
+            "kg m/s",
+            "linear momentum, ground y",
+            momentum.y,
+        );
+        self.put(
+            "momentum",
+            "angular",
+            "kg m^2/s",
+            "angular momentum about the origin",
+            momentum.z,
+        );
         let (violation, _) = system.violation(ws);
-        self.put("violation", "position", "", "largest constraint violation, relative to the size of the machine", violation);
+        self.put(
+            "violation",
+            "position",
+            "",
+            "largest constraint violation, relative to the size of the machine",
+            violation,
+        );
         let mut rate = std::mem::take(&mut self.scratch);
         rate.clear();
         rate.resize(system.rows, 0.0);
@@ -271,16 +475,18 @@ impl Recorder {
         }
         let (violation, _) = system.largest(&rate);
         self.scratch = rate;
-        self.put("violation", "velocity", "1/s", "largest violation of the velocity constraints, relative to the size", violation);
+        self.put(
+            "violation",
+            "velocity",
+            "1/s",
+            "largest violation of the velocity constraints, relative to the size",
+            violation,
+        );
     }
 }
 
 /// Kinetic energy and potential energy of gravity (zero at the ground's origin).
-pub(super) fn energies(
-    system: &System<Planar>,
-    ws: &Workspace<Planar>,
-    v: &[f64],
-) -> (f64, f64) {
+pub(super) fn energies(system: &System<Planar>, ws: &Workspace<Planar>, v: &[f64]) -> (f64, f64) {
     let (mut kinetic, mut gravity) = (0.0, 0.0);
     for (b, body) in system.bodies.iter().enumerate() {
         let m = &system.mass[9 * b..9 * b + 9];
@@ -360,6 +566,7 @@ pub(super) fn reaction(
     ws: &Workspace<Planar>,
     number: usize,
     local: usize,
+    t: f64,
     scratch: &mut Vec<f64>,
 ) -> Vector3<f64> {
     let e = &system.elements[number];
@@ -375,12 +582,18 @@ pub(super) fn reaction(
     let mut gradient = vec![Vector3::zeros(); nr * nm];
     e.element.evaluate(
         &crate::joint::ConstraintInput {
-            t: 0.0,
+            t,
             markers: &markers,
             s: &ws.s[e.aux.clone()],
             s_rate: &ws.s_rate[e.aux.clone()],
         },
-        &mut crate::joint::ConstraintOutput { value, gradient: &mut gradient, auxiliary, time, bias },
+        &mut crate::joint::ConstraintOutput {
+            value,
+            gradient: &mut gradient,
+            auxiliary,
+            time,
+            bias,
+        },
     );
     let mut wrench = Vector3::zeros();
     for (r, row) in e.rows.clone().enumerate() {

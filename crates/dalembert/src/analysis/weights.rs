@@ -28,7 +28,11 @@ impl Weights {
                 inverse[(b * n + k) * n + k] = 1.0 / w;
             }
         }
-        Self { blocks, inverse, zero: vec![0.0; system.nv()] }
+        Self {
+            blocks,
+            inverse,
+            zero: vec![0.0; system.nv()],
+        }
     }
 
     /// Every coordinate equally well known.

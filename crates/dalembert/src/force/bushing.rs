@@ -54,10 +54,26 @@ impl ForceElement<Planar> for Bushing {
 
     fn channels(&self) -> Vec<ForceChannel> {
         vec![
-            ForceChannel { suffix: "force_x", unit: "N", meaning: "force on the second body along the first body's joint x axis" },
-            ForceChannel { suffix: "force_y", unit: "N", meaning: "force on the second body along the first body's joint y axis" },
-            ForceChannel { suffix: "moment", unit: "N m", meaning: "moment on the second body at its point" },
-            ForceChannel { suffix: "power", unit: "W", meaning: "power into the machine" },
+            ForceChannel {
+                suffix: "force_x",
+                unit: "N",
+                meaning: "force on the second body along the first body's joint x axis",
+            },
+            ForceChannel {
+                suffix: "force_y",
+                unit: "N",
+                meaning: "force on the second body along the first body's joint y axis",
+            },
+            ForceChannel {
+                suffix: "moment",
+                unit: "N m",
+                meaning: "moment on the second body at its point",
+            },
+            ForceChannel {
+                suffix: "power",
+                unit: "W",
+                meaning: "power into the machine",
+            },
         ]
     }
 }

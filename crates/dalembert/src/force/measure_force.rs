@@ -40,7 +40,11 @@ impl MeasureForce {
 
 impl ForceElement<Planar> for MeasureForce {
     fn wrenches(&self, t: f64, markers: &[PlanarMarker], out: &mut [Vector3<f64>]) {
-        let Measure { kind, first, second } = self.measure;
+        let Measure {
+            kind,
+            first,
+            second,
+        } = self.measure;
         let m = kind.evaluate(&markers[first], &markers[second]);
         let f = self.force(t, markers, m.value, m.rate);
         out[first] -= f * m.first;
@@ -48,7 +52,11 @@ impl ForceElement<Planar> for MeasureForce {
     }
 
     fn report(&self, t: f64, markers: &[PlanarMarker]) -> ForceReport {
-        let Measure { kind, first, second } = self.measure;
+        let Measure {
+            kind,
+            first,
+            second,
+        } = self.measure;
         let m = kind.evaluate(&markers[first], &markers[second]);
         let f = self.force(t, markers, m.value, m.rate);
         let (potential, potential_rate) = match self.spring() {
@@ -59,7 +67,11 @@ impl ForceElement<Planar> for MeasureForce {
             None => (0.0, 0.0),
         };
         let sign = if self.pushes { -1.0 } else { 1.0 };
-        ForceReport { potential, potential_rate, values: [m.value, m.rate, sign * f, -f * m.rate] }
+        ForceReport {
+            potential,
+            potential_rate,
+            values: [m.value, m.rate, sign * f, -f * m.rate],
+        }
     }
 
     fn channels(&self) -> Vec<ForceChannel> {
@@ -73,14 +85,36 @@ impl ForceElement<Planar> for MeasureForce {
         let force = match (angle, self.pushes) {
             (true, false) => ("moment", "moment, positive where it reduces the angle"),
             (false, false) => ("force", "force, positive in tension"),
-            (true, true) => ("moment", "moment of the actuator, positive where it increases the angle"),
-            (false, true) => ("force", "force of the actuator, positive where it increases the displacement"),
+            (true, true) => (
+                "moment",
+                "moment of the actuator, positive where it increases the angle",
+            ),
+            (false, true) => (
+                "force",
+                "force of the actuator, positive where it increases the displacement",
+            ),
         };
         vec![
-            ForceChannel { suffix: name, unit, meaning: "what the element acts along" },
-            ForceChannel { suffix: "rate", unit: rate_unit, meaning: "its rate of change" },
-            ForceChannel { suffix: force.0, unit: force_unit, meaning: force.1 },
-            ForceChannel { suffix: "power", unit: "W", meaning: "power into the machine" },
+            ForceChannel {
+                suffix: name,
+                unit,
+                meaning: "what the element acts along",
+            },
+            ForceChannel {
+                suffix: "rate",
+                unit: rate_unit,
+                meaning: "its rate of change",
+            },
+            ForceChannel {
+                suffix: force.0,
+                unit: force_unit,
+                meaning: force.1,
+            },
+            ForceChannel {
+                suffix: "power",
+                unit: "W",
+                meaning: "power into the machine",
+            },
         ]
     }
 }

@@ -22,7 +22,11 @@ impl PointForce {
     fn wrench(&self, t: f64, markers: &[PlanarMarker]) -> Vector3<f64> {
         let [x, y] = [&self.force[0], &self.force[1]].map(|c| c.value(t, markers));
         let m = &markers[0];
-        let f = if self.body_axes { x * m.ex + y * m.ey() } else { Vector2::new(x, y) };
+        let f = if self.body_axes {
+            x * m.ex + y * m.ey()
+        } else {
+            Vector2::new(x, y)
+        };
         Vector3::new(f.x, f.y, self.moment.value(t, markers))
     }
 }
@@ -36,20 +40,42 @@ impl ForceElement<Planar> for PointForce {
         let w = self.wrench(t, markers);
         let m = &markers[0];
         let power = w.x * m.velocity.x + w.y * m.velocity.y + w.z * m.omega;
-        let values =
-            if self.moment_only { [w.z, power, 0.0, 0.0] } else { [w.x, w.y, power, 0.0] };
-        ForceReport { values, ..ForceReport::default() }
+        let values = if self.moment_only {
+            [w.z, power, 0.0, 0.0]
+        } else {
+            [w.x, w.y, power, 0.0]
+        };
+        ForceReport {
+            values,
+            ..ForceReport::default()
+        }
     }
 
     fn channels(&self) -> Vec<ForceChannel> {
-        let power = ForceChannel { suffix: "power", unit: "W", meaning: "power into the machine" };
+        let power = ForceChannel {
+            suffix: "power",
+            unit: "W",
+            meaning: "power into the machine",
+        };
         if self.moment_only {
-            let m = ForceChannel { suffix: "moment", unit: "N m", meaning: "moment on the body" };
+            let m = ForceChannel {
+                suffix: "moment",
+                unit: "N m",
+                meaning: "moment on the body",
+            };
             return vec![m, power];
         }
         vec![
-            ForceChannel { suffix: "force_x", unit: "N", meaning: "force on the body, ground x" },
-            ForceChannel { suffix: "force_y", unit: "N", meaning: "force on the body, ground y" },
+            ForceChannel {
+                suffix: "force_x",
+                unit: "N",
+                meaning: "force on the body, ground x",
+            },
+            ForceChannel {
+                suffix: "force_y",
+                unit: "N",
+                meaning: "force on the body, ground y",
+            },
             power,
         ]
     }

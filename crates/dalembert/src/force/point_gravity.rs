@@ -42,9 +42,21 @@ impl ForceElement<Planar> for PointGravity {
 
     fn channels(&self) -> Vec<ForceChannel> {
         vec![
-            ForceChannel { suffix: "length", unit: "m", meaning: "distance from the attracting point" },
-            ForceChannel { suffix: "force", unit: "N", meaning: "attraction" },
-            ForceChannel { suffix: "power", unit: "W", meaning: "power into the machine" },
+            ForceChannel {
+                suffix: "length",
+                unit: "m",
+                meaning: "distance from the attracting point",
+            },
+            ForceChannel {
+                suffix: "force",
+                unit: "N",
+                meaning: "attraction",
+            },
+            ForceChannel {
+                suffix: "power",
+                unit: "W",
+                meaning: "power into the machine",
+            },
         ]
     }
 }

@@ -41,7 +41,11 @@ pub struct Cam {
 }
 
 fn derivatives(program: &Program, phi: f64) -> [f64; 4] {
-    program.eval_third(if program.slots().is_empty() { &[] } else { std::slice::from_ref(&phi) })
+    program.eval_third(if program.slots().is_empty() {
+        &[]
+    } else {
+        std::slice::from_ref(&phi)
+    })
 }
 
 impl Profile {
@@ -100,11 +104,19 @@ impl ConstraintElement<Planar> for Cam {
             Follower::KnifeEdge => ["contact x", "contact y"],
             Follower::Roller(_) | Follower::Flat => ["contact", "tangency"],
         };
-        texts.map(|text| RowLabel { text: text.to_owned(), unit: RowUnit::Length }).to_vec()
+        texts
+            .map(|text| RowLabel {
+                text: text.to_owned(),
+                unit: RowUnit::Length,
+            })
+            .to_vec()
     }
 
     fn auxiliaries(&self) -> Vec<RowLabel> {
-        vec![RowLabel { text: "phi".to_owned(), unit: RowUnit::Angle }]
+        vec![RowLabel {
+            text: "phi".to_owned(),
+            unit: RowUnit::Angle,
+        }]
     }
 
     fn evaluate(
@@ -165,8 +177,7 @@ impl ConstraintElement<Planar> for Cam {
                 out.gradient[2] = Vector3::new(0.0, 0.0, ey.dot(&t.by_angle));
                 out.gradient[3] = Vector3::new(0.0, 0.0, -ex.dot(&t.value));
                 out.auxiliary[1] = ey.dot(&t.by_phi);
-                out.bias[1] =
-                    ey.dot(&t.bias) + 2.0 * ey_rate.dot(&t.rate) + ey_bias.dot(&t.value);
+                out.bias[1] = ey.dot(&t.bias) + 2.0 * ey_rate.dot(&t.rate) + ey_bias.dot(&t.value);
             }
         }
     }

@@ -19,7 +19,10 @@ pub struct ExpressionRows {
 
 impl ConstraintElement<Planar> for ExpressionRows {
     fn labels(&self) -> Vec<RowLabel> {
-        vec![RowLabel { text: self.program.text().to_owned(), unit: RowUnit::Other }]
+        vec![RowLabel {
+            text: self.program.text().to_owned(),
+            unit: RowUnit::Other,
+        }]
     }
 
     fn evaluate(
@@ -28,19 +31,31 @@ impl ConstraintElement<Planar> for ExpressionRows {
         out: &mut ConstraintOutput<'_, Planar>,
     ) {
         let mut values = [0.0; MAX_INPUTS];
-        let mut jets = [Jet2 { v: 0.0, d: 0.0, dd: 0.0 }; MAX_INPUTS];
+        let mut jets = [Jet2 {
+            v: 0.0,
+            d: 0.0,
+            dd: 0.0,
+        }; MAX_INPUTS];
         let mut slopes = [0.0; MAX_INPUTS];
         let n = self.inputs.len();
         for (k, signal) in self.inputs.iter().enumerate() {
             jets[k] = match signal.kind {
-                SignalKind::Time => Jet2 { v: input.t, d: 1.0, dd: 0.0 },
+                SignalKind::Time => Jet2 {
+                    v: input.t,
+                    d: 1.0,
+                    dd: 0.0,
+                },
                 SignalKind::Value | SignalKind::Rate => {
                     let m = signal.measure;
                     let (a, b) = (&input.markers[m.first], &input.markers[m.second]);
                     let x = m.kind.evaluate(a, b);
                     // With the accelerations of the markers zero, gradients still meet the
                     // markers' own normal accelerations; the assembly adds those.
-                    Jet2 { v: x.value, d: x.rate, dd: x.bias }
+                    Jet2 {
+                        v: x.value,
+                        d: x.rate,
+                        dd: x.bias,
+                    }
                 }
             };
             values[k] = jets[k].v;
@@ -53,7 +68,9 @@ impl ConstraintElement<Planar> for ExpressionRows {
                 continue;
             }
             let m = signal.measure;
-            let x = m.kind.evaluate(&input.markers[m.first], &input.markers[m.second]);
+            let x = m
+                .kind
+                .evaluate(&input.markers[m.first], &input.markers[m.second]);
             out.gradient[m.first] += *slope * x.first;
             out.gradient[m.second] += *slope * x.second;
         }

@@ -40,7 +40,13 @@ impl MeasureRow {
     /// and the multiplier is the reaction on the second body (Shabana 3.129, 6.107).
     pub fn minus(measure: Measure, target: f64, label: &str) -> Self {
         Self {
-            terms: SmallVec::from_elem(MeasureTerm { factor: -1.0, measure }, 1),
+            terms: SmallVec::from_elem(
+                MeasureTerm {
+                    factor: -1.0,
+                    measure,
+                },
+                1,
+            ),
             target: TimeFunction::Constant(-target),
             label: label.to_owned(),
         }
@@ -49,7 +55,13 @@ impl MeasureRow {
     /// C = measure - f(t).
     pub fn follow(measure: Measure, target: TimeFunction, label: &str) -> Self {
         Self {
-            terms: SmallVec::from_elem(MeasureTerm { factor: 1.0, measure }, 1),
+            terms: SmallVec::from_elem(
+                MeasureTerm {
+                    factor: 1.0,
+                    measure,
+                },
+                1,
+            ),
             target,
             label: label.to_owned(),
         }
@@ -69,7 +81,11 @@ impl MeasureRow {
     fn unit(&self) -> RowUnit {
         let mut unit = None;
         for term in &self.terms {
-            let own = if term.measure.kind.is_angle() { RowUnit::Angle } else { RowUnit::Length };
+            let own = if term.measure.kind.is_angle() {
+                RowUnit::Angle
+            } else {
+                RowUnit::Length
+            };
             match unit {
                 None => unit = Some(own),
                 Some(u) if u != own => return RowUnit::Other,
@@ -82,7 +98,13 @@ impl MeasureRow {
 
 impl ConstraintElement<Planar> for MeasureRows {
     fn labels(&self) -> Vec<RowLabel> {
-        self.rows.iter().map(|r| RowLabel { text: r.label.clone(), unit: r.unit() }).collect()
+        self.rows
+            .iter()
+            .map(|r| RowLabel {
+                text: r.label.clone(),
+                unit: r.unit(),
+            })
+            .collect()
     }
 
     fn evaluate(
@@ -93,7 +115,11 @@ impl ConstraintElement<Planar> for MeasureRows {
         for (k, row) in self.rows.iter().enumerate() {
             let gradient = &mut out.gradient[k * self.markers..(k + 1) * self.markers];
             for term in &row.terms {
-                let Measure { kind, first, second } = term.measure;
+                let Measure {
+                    kind,
+                    first,
+                    second,
+                } = term.measure;
                 let m = kind.evaluate(&input.markers[first], &input.markers[second]);
                 out.value[k] += term.factor * m.value;
                 out.bias[k] += term.factor * m.bias;

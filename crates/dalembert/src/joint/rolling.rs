@@ -25,12 +25,18 @@ pub struct RollingOnCircle {
 impl ConstraintElement<Planar> for RollingOnCircle {
     fn labels(&self) -> Vec<RowLabel> {
         ["contact x", "contact y", "no slip"]
-            .map(|text| RowLabel { text: text.to_owned(), unit: RowUnit::Length })
+            .map(|text| RowLabel {
+                text: text.to_owned(),
+                unit: RowUnit::Length,
+            })
             .to_vec()
     }
 
     fn auxiliaries(&self) -> Vec<RowLabel> {
-        vec![RowLabel { text: "psi".to_owned(), unit: RowUnit::Angle }]
+        vec![RowLabel {
+            text: "psi".to_owned(),
+            unit: RowUnit::Angle,
+        }]
     }
 
     fn evaluate(
@@ -44,8 +50,10 @@ impl ConstraintElement<Planar> for RollingOnCircle {
         let distance = self.first + self.second;
         let e = Vector2::new(cos, sin);
         let c = a.point + distance * e - b.point;
-        for (k, (value, (tangent, normal))) in
-            c.iter().zip([-sin, cos].into_iter().zip([cos, sin])).enumerate()
+        for (k, (value, (tangent, normal))) in c
+            .iter()
+            .zip([-sin, cos].into_iter().zip([cos, sin]))
+            .enumerate()
         {
             out.value[k] = *value;
             let mut unit = Vector3::zeros();
@@ -55,8 +63,7 @@ impl ConstraintElement<Planar> for RollingOnCircle {
             out.auxiliary[k] = distance * tangent;
             out.bias[k] = -distance * rate * rate * normal;
         }
-        out.value[2] =
-            self.first * (psi - a.angle) + self.second * (psi - b.angle) - self.constant;
+        out.value[2] = self.first * (psi - a.angle) + self.second * (psi - b.angle) - self.constant;
         out.gradient[4] = Vector3::new(0.0, 0.0, -self.first);
         out.gradient[5] = Vector3::new(0.0, 0.0, -self.second);
         out.auxiliary[2] = distance;

@@ -37,7 +37,11 @@ const GAUSS: [(f64, f64); 5] = [
 ];
 
 fn eval(program: &Program, t: f64) -> f64 {
-    program.eval(if program.slots().is_empty() { &[] } else { std::slice::from_ref(&t) })
+    program.eval(if program.slots().is_empty() {
+        &[]
+    } else {
+        std::slice::from_ref(&t)
+    })
 }
 
 fn gauss(rate: &Program, a: f64, b: f64) -> f64 {
@@ -63,16 +67,36 @@ impl TimeFunction {
             sum += gauss(&rate, a, a + panel);
             sums.push(sum);
         }
-        Self::Integral { rate, start, from, panel, sums }
+        Self::Integral {
+            rate,
+            start,
+            from,
+            panel,
+            sums,
+        }
     }
 
     /// Value and the first two derivatives.
     pub fn jet(&self, t: f64) -> Jet2 {
         match self {
-            Self::Constant(value) => Jet2 { v: *value, d: 0.0, dd: 0.0 },
-            Self::Rate(rate) => Jet2 { v: 0.0, d: *rate, dd: 0.0 },
+            Self::Constant(value) => Jet2 {
+                v: *value,
+                d: 0.0,
+                dd: 0.0,
+            },
+            Self::Rate(rate) => Jet2 {
+                v: 0.0,
+                d: *rate,
+                dd: 0.0,
+            },
             Self::Expression(program) => jet_of(program, t),
-            Self::Integral { rate, start, from, panel, sums } => {
+            Self::Integral {
+                rate,
+                start,
+                from,
+                panel,
+                sums,
+            } => {
                 let derivative = jet_of(rate, t);
                 Jet2 {
                     v: start + integral_value(rate, *from, *panel, sums, t),
@@ -85,8 +109,16 @@ impl TimeFunction {
 }
 
 fn jet_of(program: &Program, t: f64) -> Jet2 {
-    let seed = Jet2 { v: t, d: 1.0, dd: 0.0 };
-    program.eval_jet(if program.slots().is_empty() { &[] } else { std::slice::from_ref(&seed) })
+    let seed = Jet2 {
+        v: t,
+        d: 1.0,
+        dd: 0.0,
+    };
+    program.eval_jet(if program.slots().is_empty() {
+        &[]
+    } else {
+        std::slice::from_ref(&seed)
+    })
 }
 
 fn integral_value(rate: &Program, from: f64, panel: f64, sums: &[f64], t: f64) -> f64 {

@@ -6,7 +6,7 @@
 mod planar;
 mod tuple;
 
-pub use planar::{Planar, PlanarFrame, PlanarMarker};
+pub use planar::{Planar, PlanarFrame, PlanarMarker, perpendicular};
 pub use tuple::Tuple;
 
 use std::fmt::Debug;

@@ -54,7 +54,10 @@ impl Space for Planar {
 
     fn marker(frame: &PlanarFrame, q: &[f64], v: &[f64]) -> PlanarMarker {
         let (s, c) = q[2].sin_cos();
-        let arm = Vector2::new(c * frame.at.x - s * frame.at.y, s * frame.at.x + c * frame.at.y);
+        let arm = Vector2::new(
+            c * frame.at.x - s * frame.at.y,
+            s * frame.at.x + c * frame.at.y,
+        );
         let ex = if frame.angle == 0.0 {
             Vector2::new(c, s)
         } else {

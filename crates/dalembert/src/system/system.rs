@@ -124,7 +124,10 @@ impl<S: Space> System<S> {
             self.max_rows = self.max_rows.max(labels.len());
             self.max_markers = self.max_markers.max(e.markers.len());
             self.max_aux = self.max_aux.max(auxiliaries);
-            self.row_refs.extend(labels.into_iter().map(|label| RowRef { element: number, label }));
+            self.row_refs.extend(labels.into_iter().map(|label| RowRef {
+                element: number,
+                label,
+            }));
         }
         for f in &self.forces {
             self.max_markers = self.max_markers.max(f.markers.len());
@@ -310,7 +313,13 @@ impl<S: Space> System<S> {
 
     /// Generalized applied forces Q_e (gravity and force elements), into `ws.force`.
     pub fn evaluate_forces(&self, t: f64, ws: &mut Workspace<S>) {
-        let Workspace { markers, force, local_markers, gradient, .. } = ws;
+        let Workspace {
+            markers,
+            force,
+            local_markers,
+            gradient,
+            ..
+        } = ws;
         force[..self.weight.len()].copy_from_slice(&self.weight);
         force[self.weight.len()..].fill(0.0);
         for f in &self.forces {
@@ -339,8 +348,7 @@ impl<S: Space> System<S> {
         for b in 0..self.bodies.len() {
             let block = &self.mass[b * n * n..(b + 1) * n * n];
             for i in 0..n {
-                out[b * n + i] =
-                    (0..n).map(|j| block[i * n + j] * v[b * n + j]).sum();
+                out[b * n + i] = (0..n).map(|j| block[i * n + j] * v[b * n + j]).sum();
             }
         }
     }

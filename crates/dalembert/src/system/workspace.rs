@@ -43,7 +43,11 @@ impl<S: Space> Workspace<S> {
     pub fn new(system: &System<S>) -> Self {
         let (max_rows, max_markers, _) = system.scratch_sizes();
         let saddle = Saddle::new(system.shape());
-        let jac_aux = system.elements.iter().map(|e| e.rows.len() * e.aux.len()).sum();
+        let jac_aux = system
+            .elements
+            .iter()
+            .map(|e| e.rows.len() * e.aux.len())
+            .sum();
         Self {
             markers: vec![S::Marker::default(); system.markers.len()],
             s: vec![0.0; system.aux],
@@ -74,7 +78,11 @@ impl<S: Space> Workspace<S> {
     pub fn solve(&mut self, weight: &[f64], f: &[f64]) -> Residual {
         let bodies = self.a.len() - self.zero_aux.len();
         let (a, s) = self.a.split_at_mut(bodies);
-        let rhs = Rhs { f: &f[..bodies], g: &self.rhs, h: &self.zero_aux };
+        let rhs = Rhs {
+            f: &f[..bodies],
+            g: &self.rhs,
+            h: &self.zero_aux,
+        };
         self.saddle.solve(weight, rhs, a, &mut self.lambda, s)
     }
 
@@ -82,7 +90,11 @@ impl<S: Space> Workspace<S> {
     pub fn solve_forces(&mut self, mass: &[f64]) -> Residual {
         let bodies = self.a.len() - self.zero_aux.len();
         let (a, s) = self.a.split_at_mut(bodies);
-        let rhs = Rhs { f: &self.force[..bodies], g: &self.rhs, h: &self.zero_aux };
+        let rhs = Rhs {
+            f: &self.force[..bodies],
+            g: &self.rhs,
+            h: &self.zero_aux,
+        };
         self.saddle.solve(mass, rhs, a, &mut self.lambda, s)
     }
 }

@@ -26,18 +26,29 @@ impl Context<'_> {
             let origin = self
                 .optional_point(body.position.as_ref(), &place, "position")
                 .unwrap_or_else(Vector2::zeros);
-            let angle =
-                self.optional(body.angle.as_ref(), Dim::NONE, &place, "angle").unwrap_or(0.0);
+            let angle = self
+                .optional(body.angle.as_ref(), Dim::NONE, &place, "angle")
+                .unwrap_or(0.0);
             let velocity = match &body.velocity {
                 Some(v) => self.vector(v, Dim::VELOCITY, &place.owner, &place.key("velocity")),
                 None => None,
             }
             .unwrap_or_else(Vector2::zeros);
             let omega = self
-                .optional(body.angular_velocity.as_ref(), Dim::FREQUENCY, &place, "angular_velocity")
+                .optional(
+                    body.angular_velocity.as_ref(),
+                    Dim::FREQUENCY,
+                    &place,
+                    "angular_velocity",
+                )
                 .unwrap_or(0.0);
             let number = (!body.fixed).then_some(self.bodies.len());
-            let own = BodyPlace { body: number, origin, angle, center: mass.center };
+            let own = BodyPlace {
+                body: number,
+                origin,
+                angle,
+                center: mass.center,
+            };
             self.places.insert(body.name.clone(), own.clone());
             if number.is_none() {
                 let marker = self.marker(&own, Vector2::zeros(), 0.0);
@@ -52,15 +63,31 @@ impl Context<'_> {
             let weigh = |given: bool| if given { 1.0 } else { UNSAID };
             let (p, a) = (weigh(body.position.is_some()), weigh(body.angle.is_some()));
             self.position_weight.extend([p, p, a]);
-            let (p, a) = (weigh(body.velocity.is_some()), weigh(body.angular_velocity.is_some()));
+            let (p, a) = (
+                weigh(body.velocity.is_some()),
+                weigh(body.angular_velocity.is_some()),
+            );
             self.velocity_weight.extend([p, p, a]);
-            self.mass.extend([mass.mass, 0.0, 0.0, 0.0, mass.mass, 0.0, 0.0, 0.0, mass.inertia]);
+            self.mass.extend([
+                mass.mass,
+                0.0,
+                0.0,
+                0.0,
+                mass.mass,
+                0.0,
+                0.0,
+                0.0,
+                mass.inertia,
+            ]);
             let frame_marker = self.marker(&own, Vector2::zeros(), 0.0);
             let center_marker = self.marker(&own, mass.center, 0.0);
             self.bodies.push(BodyData {
                 name: body.name.clone(),
                 index,
-                frame: PlanarFrame { at: -mass.center, angle: 0.0 },
+                frame: PlanarFrame {
+                    at: -mass.center,
+                    angle: 0.0,
+                },
                 frame_marker,
                 center_marker,
                 massless: mass.mass == 0.0 || mass.inertia == 0.0,
@@ -78,9 +105,19 @@ impl Context<'_> {
             CoordinateName::Y => (MeasureKind::GroundY, "y"),
             CoordinateName::Angle => (MeasureKind::Angle, "angle"),
         };
-        let measure = GlobalMeasure { kind, first: 0, second: marker };
+        let measure = GlobalMeasure {
+            kind,
+            first: 0,
+            second: marker,
+        };
         let value = self.estimate(measure);
-        self.start_element(format!("held {body}.{label}"), place.key("hold"), measure, value, Phase::StartPosition);
+        self.start_element(
+            format!("held {body}.{label}"),
+            place.key("hold"),
+            measure,
+            value,
+            Phase::StartPosition,
+        );
     }
 
     /// A row that holds at the start only: measure = value (its rate = value for velocities).
@@ -92,7 +129,11 @@ impl Context<'_> {
         value: f64,
         phase: Phase,
     ) {
-        let local = crate::joint::Measure { kind: measure.kind, first: 0, second: 1 };
+        let local = crate::joint::Measure {
+            kind: measure.kind,
+            first: 0,
+            second: 1,
+        };
         let target = match phase {
             // C_t = -rate at every time: the velocity row reads measure' = rate.
             Phase::StartVelocity => crate::joint::TimeFunction::Rate(value),
@@ -125,7 +166,11 @@ impl Context<'_> {
         let of = |name: &str, kind, measure, dim| Property {
             name: name.to_owned(),
             kind,
-            measure: GlobalMeasure { kind: measure, first: 0, second: marker },
+            measure: GlobalMeasure {
+                kind: measure,
+                first: 0,
+                second: marker,
+            },
             dim,
         };
         use MeasureKind::{Angle, GroundX, GroundY};
@@ -148,10 +193,13 @@ impl Context<'_> {
         let model = self.model;
         for (index, trace) in model.traces.iter().enumerate() {
             let place = Place::new("trace", index, "trace", &trace.name);
-            let Some(body) = self.place(&trace.body, &place.owner, &place.key("body")) else { continue };
+            let Some(body) = self.place(&trace.body, &place.owner, &place.key("body")) else {
+                continue;
+            };
             let at = self.optional_point(trace.at.as_ref(), &place, "at");
-            let angle =
-                self.optional(trace.angle.as_ref(), Dim::NONE, &place, "angle").unwrap_or(0.0);
+            let angle = self
+                .optional(trace.angle.as_ref(), Dim::NONE, &place, "angle")
+                .unwrap_or(0.0);
             let observer = trace.relative_to.as_ref().and_then(|name| {
                 let own = self.place(name, &place.owner, &place.key("relative_to"))?;
                 Some((self.marker(&own, Vector2::zeros(), 0.0), name.clone()))
@@ -159,7 +207,11 @@ impl Context<'_> {
             let Some(at) = at else { continue };
             let marker = self.marker(&body, at, angle);
             self.point_properties(&trace.name, marker);
-            self.trace_list.push(TraceData { name: trace.name.clone(), marker, observer });
+            self.trace_list.push(TraceData {
+                name: trace.name.clone(),
+                marker,
+                observer,
+            });
         }
     }
 }

@@ -73,7 +73,12 @@ impl<'m> Context<'m> {
         let mut places = IndexMap::new();
         places.insert(
             GROUND.to_owned(),
-            BodyPlace { body: None, origin: Vector2::zeros(), angle: 0.0, center: Vector2::zeros() },
+            BodyPlace {
+                body: None,
+                origin: Vector2::zeros(),
+                angle: 0.0,
+                center: Vector2::zeros(),
+            },
         );
         Self {
             model,
@@ -88,7 +93,10 @@ impl<'m> Context<'m> {
             properties: IndexMap::new(),
             bodies: Vec::new(),
             // Marker 0 is the ground's own frame.
-            markers: vec![MarkerData { body: None, frame: PlanarFrame::default() }],
+            markers: vec![MarkerData {
+                body: None,
+                frame: PlanarFrame::default(),
+            }],
             elements: Vec::new(),
             force_elements: Vec::new(),
             trace_list: Vec::new(),
@@ -128,7 +136,10 @@ impl<'m> Context<'m> {
         let x = match value {
             Value::Number(x) => *x,
             Value::Text(text) => {
-                let scope = ConstantScope { parameters: &self.parameters, functions: &self.functions };
+                let scope = ConstantScope {
+                    parameters: &self.parameters,
+                    functions: &self.functions,
+                };
                 match dalembert_expr::compile(text, &scope, quantity) {
                     Ok(program) => match program.constant() {
                         Some(x) => x,
@@ -180,19 +191,34 @@ impl<'m> Context<'m> {
         None
     }
 
-    pub fn optional(&mut self, value: Option<&Value>, dim: Dim, place: &Place, key: &str) -> Option<f64> {
+    pub fn optional(
+        &mut self,
+        value: Option<&Value>,
+        dim: Dim,
+        place: &Place,
+        key: &str,
+    ) -> Option<f64> {
         let value = value?;
         self.number(value, dim, &place.owner, &place.key(key))
     }
 
     /// A point or vector of two components.
-    pub fn vector(&mut self, point: &Point, dim: Dim, owner: &str, path: &str) -> Option<Vector2<f64>> {
+    pub fn vector(
+        &mut self,
+        point: &Point,
+        dim: Dim,
+        owner: &str,
+        path: &str,
+    ) -> Option<Vector2<f64>> {
         if point.len() != 2 {
             self.report(
                 Diagnostic::error(
                     "wrong-length",
                     path,
-                    format!("{owner}: expected 2 components in a planar model, found {}", point.len()),
+                    format!(
+                        "{owner}: expected 2 components in a planar model, found {}",
+                        point.len()
+                    ),
                 )
                 .help("write [x, y]"),
             );
@@ -203,7 +229,12 @@ impl<'m> Context<'m> {
         Some(Vector2::new(x?, y?))
     }
 
-    pub fn optional_point(&mut self, point: Option<&Point>, place: &Place, key: &str) -> Option<Vector2<f64>> {
+    pub fn optional_point(
+        &mut self,
+        point: Option<&Point>,
+        place: &Place,
+        key: &str,
+    ) -> Option<Vector2<f64>> {
         match point {
             Some(p) => self.vector(p, Dim::LENGTH, &place.owner, &place.key(key)),
             None => Some(Vector2::zeros()),
@@ -219,8 +250,12 @@ impl<'m> Context<'m> {
         let help = suggestion(name, &known)
             .unwrap_or_else(|| format!("the bodies are: {}", known.join(", ")));
         self.report(
-            Diagnostic::error("unknown-body", path, format!("{owner}: there is no body '{name}'"))
-                .help(help),
+            Diagnostic::error(
+                "unknown-body",
+                path,
+                format!("{owner}: there is no body '{name}'"),
+            )
+            .help(help),
         );
         None
     }
@@ -228,10 +263,19 @@ impl<'m> Context<'m> {
     /// A new marker: a frame at a point of a body's own frame.
     pub fn marker(&mut self, place: &BodyPlace, at: Vector2<f64>, angle: f64) -> usize {
         let frame = match place.body {
-            Some(_) => PlanarFrame { at: at - place.center, angle },
-            None => PlanarFrame { at: place.origin + rotate(place.angle, &at), angle: place.angle + angle },
+            Some(_) => PlanarFrame {
+                at: at - place.center,
+                angle,
+            },
+            None => PlanarFrame {
+                at: place.origin + rotate(place.angle, &at),
+                angle: place.angle + angle,
+            },
         };
-        self.markers.push(MarkerData { body: place.body, frame });
+        self.markers.push(MarkerData {
+            body: place.body,
+            frame,
+        });
         self.markers.len() - 1
     }
 
@@ -239,7 +283,11 @@ impl<'m> Context<'m> {
     pub fn pose(&self, marker: usize) -> PlanarMarker {
         let m = &self.markers[marker];
         match m.body {
-            Some(b) => Planar::marker(&m.frame, &self.q[3 * b..3 * b + 3], &self.v[3 * b..3 * b + 3]),
+            Some(b) => Planar::marker(
+                &m.frame,
+                &self.q[3 * b..3 * b + 3],
+                &self.v[3 * b..3 * b + 3],
+            ),
             None => Planar::ground_marker(&m.frame),
         }
     }
@@ -249,9 +297,17 @@ impl<'m> Context<'m> {
     }
 
     /// A function of time alone.
-    pub fn time_function(&mut self, value: &Value, dim: Dim, owner: &str, path: &str) -> Option<TimeFunction> {
+    pub fn time_function(
+        &mut self,
+        value: &Value,
+        dim: Dim,
+        owner: &str,
+        path: &str,
+    ) -> Option<TimeFunction> {
         match value {
-            Value::Number(_) => self.number(value, dim, owner, path).map(TimeFunction::Constant),
+            Value::Number(_) => self
+                .number(value, dim, owner, path)
+                .map(TimeFunction::Constant),
             Value::Text(_) => {
                 let program = self.time_program(value, dim, owner, path)?;
                 Some(match program.constant() {
@@ -263,7 +319,13 @@ impl<'m> Context<'m> {
     }
 
     /// A program of time alone.
-    pub fn time_program(&mut self, value: &Value, dim: Dim, owner: &str, path: &str) -> Option<Program> {
+    pub fn time_program(
+        &mut self,
+        value: &Value,
+        dim: Dim,
+        owner: &str,
+        path: &str,
+    ) -> Option<Program> {
         let text = match value {
             Value::Number(x) => format!("{x:?}"),
             Value::Text(text) => text.clone(),
@@ -316,10 +378,13 @@ impl<'m> Context<'m> {
             return None;
         }
         let mut local = |global: usize| {
-            markers.iter().position(|&m| m == global).unwrap_or_else(|| {
-                markers.push(global);
-                markers.len() - 1
-            })
+            markers
+                .iter()
+                .position(|&m| m == global)
+                .unwrap_or_else(|| {
+                    markers.push(global);
+                    markers.len() - 1
+                })
         };
         let inputs = program
             .slots()
@@ -327,9 +392,17 @@ impl<'m> Context<'m> {
             .map(|&slot| {
                 let (kind, m) = used[slot];
                 let measure = if kind == SignalKind::Time {
-                    Measure { kind: MeasureKind::Angle, first: 0, second: 0 }
+                    Measure {
+                        kind: MeasureKind::Angle,
+                        first: 0,
+                        second: 0,
+                    }
                 } else {
-                    Measure { kind: m.kind, first: local(m.first), second: local(m.second) }
+                    Measure {
+                        kind: m.kind,
+                        first: local(m.first),
+                        second: local(m.second),
+                    }
                 };
                 Signal { kind, measure }
             })
@@ -351,10 +424,12 @@ impl<'m> Context<'m> {
         match value {
             None => Coefficient::Constant(default),
             Some(value @ Value::Number(_)) => Coefficient::Constant(
-                self.number(value, dim, &place.owner, &path).unwrap_or(default),
+                self.number(value, dim, &place.owner, &path)
+                    .unwrap_or(default),
             ),
             Some(value @ Value::Text(_)) => {
-                match self.state_program(value, Quantity::Known(dim), &place.owner, &path, markers) {
+                match self.state_program(value, Quantity::Known(dim), &place.owner, &path, markers)
+                {
                     None => Coefficient::Constant(default),
                     Some((program, inputs)) => match program.constant() {
                         Some(x) => Coefficient::Constant(x),
@@ -390,7 +465,11 @@ impl<'m> Context<'m> {
             self.q.extend_from_slice(&e.auxiliary_start);
             self.v.extend(e.auxiliary_start.iter().map(|_| 0.0));
         }
-        system.estimate = State { t: self.options.start, q: self.q, v: self.v };
+        system.estimate = State {
+            t: self.options.start,
+            q: self.q,
+            v: self.v,
+        };
         system.position_weight = self.position_weight;
         system.velocity_weight = self.velocity_weight;
         system.set_masses();
@@ -398,7 +477,11 @@ impl<'m> Context<'m> {
         Ok(Compiled {
             system,
             options: self.options,
-            parameters: self.parameters.into_iter().map(|(k, (x, _))| (k, x)).collect(),
+            parameters: self
+                .parameters
+                .into_iter()
+                .map(|(k, (x, _))| (k, x))
+                .collect(),
             warnings: self.diagnostics,
         })
     }

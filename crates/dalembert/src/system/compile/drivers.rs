@@ -43,12 +43,28 @@ impl Context<'_> {
                 let target = self.motion(motion, m, place)?;
                 let mut built = measure_rows(kind_name(quantity), &[(1.0, m)], target, "value");
                 built.coordinates = smallvec![Coordinate {
-                    name: if m.kind.is_angle() { "angle" } else { "displacement" },
-                    measure: Measure { kind: m.kind, first: 0, second: built.markers.len() - 1 },
+                    name: if m.kind.is_angle() {
+                        "angle"
+                    } else {
+                        "displacement"
+                    },
+                    measure: Measure {
+                        kind: m.kind,
+                        first: 0,
+                        second: built.markers.len() - 1
+                    },
                 }];
                 Some(built)
             }
-            DriverKind::Path { body, at, from, from_at, x, y, .. } => {
+            DriverKind::Path {
+                body,
+                at,
+                from,
+                from_at,
+                x,
+                y,
+                ..
+            } => {
                 let second = self.place(body, &place.owner, &place.key("body"));
                 let at = match at {
                     Some(p) => self.vector(p, Dim::LENGTH, &place.owner, &place.key("at")),
@@ -63,15 +79,31 @@ impl Context<'_> {
                     None => Some(Vector2::zeros()),
                 };
                 let mut rows = SmallVec::new();
-                for (value, kind, key) in [(x, MeasureKind::GroundX, "x"), (y, MeasureKind::GroundY, "y")] {
+                for (value, kind, key) in [
+                    (x, MeasureKind::GroundX, "x"),
+                    (y, MeasureKind::GroundY, "y"),
+                ] {
                     let Some(value) = value else { continue };
-                    let f = self.time_function(value, Dim::LENGTH, &place.owner, &place.key(key))?;
-                    rows.push(MeasureRow::follow(Measure { kind, first: 0, second: 1 }, f, key));
+                    let f =
+                        self.time_function(value, Dim::LENGTH, &place.owner, &place.key(key))?;
+                    rows.push(MeasureRow::follow(
+                        Measure {
+                            kind,
+                            first: 0,
+                            second: 1,
+                        },
+                        f,
+                        key,
+                    ));
                 }
                 if rows.is_empty() {
                     self.report(
-                        Diagnostic::error("no-motion", &place.path, format!("{}: neither x nor y is given", place.owner))
-                            .help("give x = \"...\", y = \"...\", or both"),
+                        Diagnostic::error(
+                            "no-motion",
+                            &place.path,
+                            format!("{}: neither x nor y is given", place.owner),
+                        )
+                        .help("give x = \"...\", y = \"...\", or both"),
                     );
                     return None;
                 }
@@ -92,15 +124,22 @@ impl Context<'_> {
     fn motion(&mut self, motion: &Motion, m: GlobalMeasure, place: &Place) -> Option<TimeFunction> {
         let dim = m.kind.dim();
         match motion {
-            Motion::Value { value } => self.time_function(value, dim, &place.owner, &place.key("value")),
+            Motion::Value { value } => {
+                self.time_function(value, dim, &place.owner, &place.key("value"))
+            }
             Motion::Rate { rate, start } => {
                 let program =
-                    self.time_program(rate, dim.div(Dim::TIME), &place.owner, &place.key("rate"))?;
+                    self.time_program(rate, dim / Dim::TIME, &place.owner, &place.key("rate"))?;
                 let start = match start {
                     Some(v) => self.number(v, dim, &place.owner, &place.key("start"))?,
                     None => self.estimate(m),
                 };
-                Some(TimeFunction::integral(program, start, self.options.start, self.options.end))
+                Some(TimeFunction::integral(
+                    program,
+                    start,
+                    self.options.start,
+                    self.options.end,
+                ))
             }
         }
     }
@@ -109,22 +148,33 @@ impl Context<'_> {
     pub fn initial(&mut self) {
         let model = self.model;
         for (index, initial) in model.initial.iter().enumerate() {
-            let place = Place::new("initial", index, "initial condition", &(index + 1).to_string());
+            let place = Place::new(
+                "initial",
+                index,
+                "initial condition",
+                &(index + 1).to_string(),
+            );
             if initial.value.is_none() && initial.rate.is_none() {
                 self.report(
-                    Diagnostic::error("no-motion", &place.path, format!("{}: neither value nor rate is given", place.owner))
-                        .help("give value, rate, or both"),
+                    Diagnostic::error(
+                        "no-motion",
+                        &place.path,
+                        format!("{}: neither value nor rate is given", place.owner),
+                    )
+                    .help("give value, rate, or both"),
                 );
                 continue;
             }
-            let Some(m) = self.quantity(&initial.quantity, &place.owner, &place.path) else { continue };
+            let Some(m) = self.quantity(&initial.quantity, &place.owner, &place.path) else {
+                continue;
+            };
             let dim = m.kind.dim();
             let name = self.quantity_name(&initial.quantity);
             if let Some(x) = self.optional(initial.value.as_ref(), dim, &place, "value") {
                 let name = format!("initial {name}");
                 self.start_element(name, place.key("value"), m, x, Phase::StartPosition);
             }
-            if let Some(x) = self.optional(initial.rate.as_ref(), dim.div(Dim::TIME), &place, "rate") {
+            if let Some(x) = self.optional(initial.rate.as_ref(), dim / Dim::TIME, &place, "rate") {
                 let name = format!("initial rate of {name}");
                 self.start_element(name, place.key("rate"), m, x, Phase::StartVelocity);
             }
@@ -133,13 +183,19 @@ impl Context<'_> {
 
     fn quantity_name(&self, quantity: &Quantity) -> String {
         match quantity {
-            Quantity::Coordinate { body, coordinate, .. } => {
+            Quantity::Coordinate {
+                body, coordinate, ..
+            } => {
                 format!("{body}.{}", format!("{coordinate:?}").to_lowercase())
             }
             Quantity::Angle { joint } => format!("{joint}.angle"),
             Quantity::Displacement { joint } => format!("{joint}.displacement"),
-            Quantity::RelativeAngle { bodies } => format!("angle of {} from {}", bodies[1], bodies[0]),
-            Quantity::Distance { bodies, .. } => format!("distance of {} and {}", bodies[0], bodies[1]),
+            Quantity::RelativeAngle { bodies } => {
+                format!("angle of {} from {}", bodies[1], bodies[0])
+            }
+            Quantity::Distance { bodies, .. } => {
+                format!("distance of {} and {}", bodies[0], bodies[1])
+            }
         }
     }
 }

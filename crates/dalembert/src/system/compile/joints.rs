@@ -21,12 +21,21 @@ use std::sync::Arc;
 
 /// Measure between the element's first and second marker.
 const fn between(kind: MeasureKind) -> Measure {
-    Measure { kind, first: 0, second: 1 }
+    Measure {
+        kind,
+        first: 0,
+        second: 1,
+    }
 }
 
-const ANGLE: Coordinate = Coordinate { name: "angle", measure: between(MeasureKind::Angle) };
-const DISPLACEMENT: Coordinate =
-    Coordinate { name: "displacement", measure: between(MeasureKind::AlongX) };
+const ANGLE: Coordinate = Coordinate {
+    name: "angle",
+    measure: between(MeasureKind::Angle),
+};
+const DISPLACEMENT: Coordinate = Coordinate {
+    name: "displacement",
+    measure: between(MeasureKind::AlongX),
+};
 
 /// What a kind of joint becomes.
 pub(super) struct Built {
@@ -66,14 +75,20 @@ struct PhiScope<'a> {
 impl Scope for PhiScope<'_> {
     fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
         if path == ["phi"] {
-            return Ok(Resolved::Slot { index: 0, dim: Quantity::Known(Dim::NONE) });
+            return Ok(Resolved::Slot {
+                index: 0,
+                dim: Quantity::Known(Dim::NONE),
+            });
         }
-        super::names::ConstantScope { parameters: self.parameters, functions: self.functions }
-            .variable(path)
-            .map_err(|mut e| {
-                e.note = Some("a profile is a function of phi and parameters".to_owned());
-                e
-            })
+        super::names::ConstantScope {
+            parameters: self.parameters,
+            functions: self.functions,
+        }
+        .variable(path)
+        .map_err(|mut e| {
+            e.note = Some("a profile is a function of phi and parameters".to_owned());
+            e
+        })
     }
 
     fn function(&self, name: &str) -> Option<Arc<dyn dalembert_expr::Function>> {
@@ -87,10 +102,15 @@ impl Context<'_> {
         let model = self.model;
         for (index, joint) in model.joints.iter().enumerate() {
             let place = Place::new("joint", index, "joint", &joint.name);
-            let Some(built) = self.joint(&joint.kind, &place) else { continue };
+            let Some(built) = self.joint(&joint.kind, &place) else {
+                continue;
+            };
             self.joint_places.insert(
                 joint.name.clone(),
-                JointPlace { markers: built.markers.clone(), coordinates: built.coordinates.clone() },
+                JointPlace {
+                    markers: built.markers.clone(),
+                    coordinates: built.coordinates.clone(),
+                },
             );
             self.joint_properties(&joint.name);
             self.push_element(joint.name.clone(), Role::Joint, place.path, built);
@@ -131,7 +151,12 @@ impl Context<'_> {
             } else {
                 (Dim::LENGTH, Dim::VELOCITY)
             };
-            list.push(Property { name: c.name.to_owned(), kind: SignalKind::Value, measure, dim });
+            list.push(Property {
+                name: c.name.to_owned(),
+                kind: SignalKind::Value,
+                measure,
+                dim,
+            });
             list.push(Property {
                 name: format!("{}_rate", c.name),
                 kind: SignalKind::Rate,
@@ -179,12 +204,24 @@ impl Context<'_> {
             JointKind::PinSlot { placement } => {
                 let m = self.placement(placement, place, Direction::Needed)?;
                 let rows = smallvec![minus(AlongY, "across the slot")];
-                Some(Built::rows("pin-slot", m, rows, smallvec![DISPLACEMENT, ANGLE]))
+                Some(Built::rows(
+                    "pin-slot",
+                    m,
+                    rows,
+                    smallvec![DISPLACEMENT, ANGLE],
+                ))
             }
-            JointKind::Gear { bodies, carrier, radii, internal } => {
-                self.gear(bodies, carrier.as_deref(), radii, *internal, place)
-            }
-            JointKind::Rack { placement, radius, side } => {
+            JointKind::Gear {
+                bodies,
+                carrier,
+                radii,
+                internal,
+            } => self.gear(bodies, carrier.as_deref(), radii, *internal, place),
+            JointKind::Rack {
+                placement,
+                radius,
+                side,
+            } => {
                 // The rack is the second body, but its axes measure: markers (rack, pinion).
                 let m = self.placement(placement, place, Direction::Needed)?;
                 let radius = self.positive(radius, Dim::LENGTH, "radius", place, "radius")?;
@@ -196,24 +233,50 @@ impl Context<'_> {
                 built.reaction_marker = 0;
                 Some(built)
             }
-            JointKind::RollingOnLine { placement, radius, side } => {
+            JointKind::RollingOnLine {
+                placement,
+                radius,
+                side,
+            } => {
                 let m = self.placement(placement, place, Direction::Needed)?;
                 let radius = self.positive(radius, Dim::LENGTH, "radius", place, "radius")?;
                 let sign = self.side(*side, m, place)?;
                 let rows = smallvec![
-                    MeasureRow::follow(between(AlongY), TimeFunction::Constant(sign * radius), "contact"),
+                    MeasureRow::follow(
+                        between(AlongY),
+                        TimeFunction::Constant(sign * radius),
+                        "contact"
+                    ),
                     self.rolling_row(m, sign * radius)
                 ];
-                Some(Built::rows("rolling-on-line", m, rows, smallvec![DISPLACEMENT, ANGLE]))
+                Some(Built::rows(
+                    "rolling-on-line",
+                    m,
+                    rows,
+                    smallvec![DISPLACEMENT, ANGLE],
+                ))
             }
-            JointKind::RollingOnCircle { placement, radii, internal } => {
+            JointKind::RollingOnCircle {
+                placement,
+                radii,
+                internal,
+            } => {
                 let m = self.placement(placement, place, Direction::Optional)?;
                 let first = self.positive(&radii[0], Dim::LENGTH, "radius", place, "radii[0]")?;
                 let second = self.positive(&radii[1], Dim::LENGTH, "radius", place, "radii[1]")?;
                 self.rolling_on_circle(m, first, if *internal { -second } else { second }, place)
             }
-            JointKind::Cam { placement, profile, follower, phi } => {
-                let need = if matches!(follower, CamFollower::Flat) { Direction::Needed } else { Direction::Optional };
+            JointKind::Cam {
+                placement,
+                profile,
+                follower,
+                phi,
+            } => {
+                let need = if matches!(follower, CamFollower::Flat) {
+                    Direction::Needed
+                } else {
+                    Direction::Optional
+                };
                 let m = self.placement(placement, place, need)?;
                 self.cam(m, profile, follower, phi.as_ref(), place)
             }
@@ -223,7 +286,11 @@ impl Context<'_> {
     /// Equal angles of two markers, on the turn on which the estimate is.
     fn same_angle(&self, m: [usize; 2]) -> MeasureRow {
         let now = self.pose(m[1]).angle - self.pose(m[0]).angle;
-        MeasureRow::minus(between(MeasureKind::Angle), TAU * (now / TAU).round(), "angle")
+        MeasureRow::minus(
+            between(MeasureKind::Angle),
+            TAU * (now / TAU).round(),
+            "angle",
+        )
     }
 
     /// Rolling without slip of the second marker's circle on the first marker's x axis:
@@ -232,8 +299,14 @@ impl Context<'_> {
     fn rolling_row(&self, m: [usize; 2], signed_radius: f64) -> MeasureRow {
         let mut row = MeasureRow {
             terms: smallvec![
-                MeasureTerm { factor: 1.0, measure: between(MeasureKind::AlongX) },
-                MeasureTerm { factor: signed_radius, measure: between(MeasureKind::Angle) }
+                MeasureTerm {
+                    factor: 1.0,
+                    measure: between(MeasureKind::AlongX)
+                },
+                MeasureTerm {
+                    factor: signed_radius,
+                    measure: between(MeasureKind::Angle)
+                }
             ],
             target: TimeFunction::Constant(0.0),
             label: "no slip".to_owned(),
@@ -254,7 +327,10 @@ impl Context<'_> {
                 Diagnostic::error(
                     "side-unknown",
                     &place.path,
-                    format!("{}: the centre of the circle lies on the line in the initial estimate", place.owner),
+                    format!(
+                        "{}: the centre of the circle lies on the line in the initial estimate",
+                        place.owner
+                    ),
                 )
                 .help("give side = \"left\" or \"right\", or move the estimate"),
             );
@@ -285,8 +361,12 @@ impl Context<'_> {
                 return Some(x);
             }
             self.report(
-                Diagnostic::error("not-positive", path, format!("{}: a radius is {x}, it must be positive", place.owner))
-                    .help("internal meshing is internal = true, not a negative radius"),
+                Diagnostic::error(
+                    "not-positive",
+                    path,
+                    format!("{}: a radius is {x}, it must be positive", place.owner),
+                )
+                .help("internal meshing is internal = true, not a negative radius"),
             );
             None
         };
@@ -297,8 +377,22 @@ impl Context<'_> {
         let markers: SmallVec<[usize; 4]> = smallvec![i, j, k];
         let mut row = MeasureRow {
             terms: smallvec![
-                MeasureTerm { factor: 1.0, measure: Measure { kind: MeasureKind::Angle, first: 2, second: 0 } },
-                MeasureTerm { factor: ratio, measure: Measure { kind: MeasureKind::Angle, first: 2, second: 1 } }
+                MeasureTerm {
+                    factor: 1.0,
+                    measure: Measure {
+                        kind: MeasureKind::Angle,
+                        first: 2,
+                        second: 0
+                    }
+                },
+                MeasureTerm {
+                    factor: ratio,
+                    measure: Measure {
+                        kind: MeasureKind::Angle,
+                        first: 2,
+                        second: 1
+                    }
+                }
             ],
             target: TimeFunction::Constant(0.0),
             label: "mesh".to_owned(),
@@ -307,7 +401,10 @@ impl Context<'_> {
         row.target = TimeFunction::Constant(row.sum(&poses));
         Some(Built {
             kind: "gear",
-            element: Arc::new(MeasureRows { markers: 3, rows: smallvec![row] }),
+            element: Arc::new(MeasureRows {
+                markers: 3,
+                rows: smallvec![row],
+            }),
             markers,
             coordinates: SmallVec::new(),
             auxiliary_start: SmallVec::new(),
@@ -315,12 +412,25 @@ impl Context<'_> {
         })
     }
 
-    fn rolling_on_circle(&mut self, m: [usize; 2], first: f64, second: f64, place: &Place) -> Option<Built> {
+    fn rolling_on_circle(
+        &mut self,
+        m: [usize; 2],
+        first: f64,
+        second: f64,
+        place: &Place,
+    ) -> Option<Built> {
         let distance = first + second;
         if distance == 0.0 {
             self.report(
-                Diagnostic::error("zero-length", place.key("radii"), format!("{}: circles of equal radius cannot roll inside each other", place.owner))
-                    .help("make one radius smaller"),
+                Diagnostic::error(
+                    "zero-length",
+                    place.key("radii"),
+                    format!(
+                        "{}: circles of equal radius cannot roll inside each other",
+                        place.owner
+                    ),
+                )
+                .help("make one radius smaller"),
             );
             return None;
         }
@@ -328,8 +438,15 @@ impl Context<'_> {
         let d = distance.signum() * (b.point - a.point);
         if d.norm() == 0.0 {
             self.report(
-                Diagnostic::error("zero-length", &place.path, format!("{}: the centres of the circles coincide in the initial estimate", place.owner))
-                    .help("move the estimate of one body"),
+                Diagnostic::error(
+                    "zero-length",
+                    &place.path,
+                    format!(
+                        "{}: the centres of the circles coincide in the initial estimate",
+                        place.owner
+                    ),
+                )
+                .help("move the estimate of one body"),
             );
             return None;
         }
@@ -337,7 +454,11 @@ impl Context<'_> {
         let constant = first * (psi - a.angle) + second * (psi - b.angle);
         Some(Built {
             kind: "rolling-on-circle",
-            element: Arc::new(RollingOnCircle { first, second, constant }),
+            element: Arc::new(RollingOnCircle {
+                first,
+                second,
+                constant,
+            }),
             markers: SmallVec::from_slice(&m),
             coordinates: smallvec![ANGLE],
             auxiliary_start: smallvec![psi],
@@ -350,10 +471,15 @@ impl Context<'_> {
             Value::Number(x) => format!("{x:?}"),
             Value::Text(text) => text.clone(),
         };
-        let scope = PhiScope { parameters: &self.parameters, functions: &self.functions };
+        let scope = PhiScope {
+            parameters: &self.parameters,
+            functions: &self.functions,
+        };
         let compiled = dalembert_expr::compile(&text, &scope, Quantity::Known(Dim::LENGTH));
         compiled
-            .map_err(|e| self.report_expression(&place.owner, &place.key(&format!("profile.{key}")), e))
+            .map_err(|e| {
+                self.report_expression(&place.owner, &place.key(&format!("profile.{key}")), e)
+            })
             .ok()
     }
 
@@ -366,18 +492,27 @@ impl Context<'_> {
         place: &Place,
     ) -> Option<Built> {
         let profile = match profile {
-            CamProfile::Polar { radius } => Profile::Polar(self.profile_program(radius, place, "radius")?),
+            CamProfile::Polar { radius } => {
+                Profile::Polar(self.profile_program(radius, place, "radius")?)
+            }
             CamProfile::Cartesian { x, y } => {
-                let (x, y) = (self.profile_program(x, place, "x"), self.profile_program(y, place, "y"));
+                let (x, y) = (
+                    self.profile_program(x, place, "x"),
+                    self.profile_program(y, place, "y"),
+                );
                 Profile::Cartesian(x?, y?)
             }
         };
         let follower = match follower {
             CamFollower::KnifeEdge => Follower::KnifeEdge,
             CamFollower::Flat => Follower::Flat,
-            CamFollower::Roller { radius } => {
-                Follower::Roller(self.positive(radius, Dim::LENGTH, "radius", place, "follower.radius")?)
-            }
+            CamFollower::Roller { radius } => Follower::Roller(self.positive(
+                radius,
+                Dim::LENGTH,
+                "radius",
+                place,
+                "follower.radius",
+            )?),
         };
         let start = match phi {
             Some(value) => self.number(value, Dim::NONE, &place.owner, &place.key("phi"))?,
@@ -413,19 +548,41 @@ impl Context<'_> {
     }
 
     /// Markers of a placement on its two bodies.
-    pub fn placement(&mut self, p: &Placement, place: &Place, direction: Direction) -> Option<[usize; 2]> {
-        let [a, b] = [0, 1].map(|k| self.place(&p.bodies[k], &place.owner, &place.key(&format!("bodies[{k}]"))));
+    pub fn placement(
+        &mut self,
+        p: &Placement,
+        place: &Place,
+        direction: Direction,
+    ) -> Option<[usize; 2]> {
+        let [a, b] = [0, 1].map(|k| {
+            self.place(
+                &p.bodies[k],
+                &place.owner,
+                &place.key(&format!("bodies[{k}]")),
+            )
+        });
         let (a, b) = (a?, b?);
         if p.bodies[0] == p.bodies[1] {
             self.report(
-                Diagnostic::error("same-body", place.key("bodies"), format!("{}: both bodies are '{}'", place.owner, p.bodies[0]))
-                    .help("name two different bodies"),
+                Diagnostic::error(
+                    "same-body",
+                    place.key("bodies"),
+                    format!("{}: both bodies are '{}'", place.owner, p.bodies[0]),
+                )
+                .help("name two different bodies"),
             );
             return None;
         }
         let points = match (&p.at, &p.point) {
             (Some(at), None) => {
-                let [x, y] = [0, 1].map(|k| self.vector(&at[k], Dim::LENGTH, &place.owner, &place.key(&format!("at[{k}]"))));
+                let [x, y] = [0, 1].map(|k| {
+                    self.vector(
+                        &at[k],
+                        Dim::LENGTH,
+                        &place.owner,
+                        &place.key(&format!("at[{k}]")),
+                    )
+                });
                 [x?, y?]
             }
             (None, Some(point)) => {
@@ -447,15 +604,26 @@ impl Context<'_> {
         };
         let angles = match (&p.angles, &p.direction) {
             (Some(angles), None) => {
-                let [x, y] = [0, 1].map(|k| self.number(&angles[k], Dim::NONE, &place.owner, &place.key(&format!("angles[{k}]"))));
+                let [x, y] = [0, 1].map(|k| {
+                    self.number(
+                        &angles[k],
+                        Dim::NONE,
+                        &place.owner,
+                        &place.key(&format!("angles[{k}]")),
+                    )
+                });
                 [x?, y?]
             }
             (None, Some(d)) => {
                 let d = self.vector(d, Dim::NONE, &place.owner, &place.key("direction"))?;
                 if d.norm() == 0.0 {
                     self.report(
-                        Diagnostic::error("zero-axis", place.key("direction"), format!("{}: the direction has zero length", place.owner))
-                            .help("give a direction like [1, 0]"),
+                        Diagnostic::error(
+                            "zero-axis",
+                            place.key("direction"),
+                            format!("{}: the direction has zero length", place.owner),
+                        )
+                        .help("give a direction like [1, 0]"),
                     );
                     return None;
                 }
@@ -464,8 +632,12 @@ impl Context<'_> {
             }
             (Some(_), Some(_)) => {
                 self.report(
-                    Diagnostic::error("placed-twice", &place.path, format!("{}: both 'angles' and 'direction' are given", place.owner))
-                        .help("give one of them"),
+                    Diagnostic::error(
+                        "placed-twice",
+                        &place.path,
+                        format!("{}: both 'angles' and 'direction' are given", place.owner),
+                    )
+                    .help("give one of them"),
                 );
                 return None;
             }
@@ -481,7 +653,10 @@ impl Context<'_> {
                 }
             },
         };
-        Some([self.marker(&a, points[0], angles[0]), self.marker(&b, points[1], angles[1])])
+        Some([
+            self.marker(&a, points[0], angles[0]),
+            self.marker(&b, points[1], angles[1]),
+        ])
     }
 }
 

@@ -26,12 +26,20 @@ impl MassProperties {
     /// Sum of parts: parallel axes; cut-outs come with negative mass (Shabana 6.12 to 6.15).
     fn sum(parts: &[Self]) -> Self {
         let mass: f64 = parts.iter().map(|p| p.mass).sum();
-        let center = parts.iter().map(|p| p.mass * p.center).sum::<Vector2<f64>>() / mass;
+        let center = parts
+            .iter()
+            .map(|p| p.mass * p.center)
+            .sum::<Vector2<f64>>()
+            / mass;
         let inertia = parts
             .iter()
             .map(|p| p.inertia + p.mass * (p.center - center).norm_squared())
             .sum();
-        Self { mass, center, inertia }
+        Self {
+            mass,
+            center,
+            inertia,
+        }
     }
 }
 
@@ -65,7 +73,9 @@ impl Context<'_> {
                         place.key(key),
                         format!("{}: {key} is {x}, it must not be negative", place.owner),
                     )
-                    .help(format!("give a {key} of zero or more; cut-outs are shapes with cut = true")),
+                    .help(format!(
+                        "give a {key} of zero or more; cut-outs are shapes with cut = true"
+                    )),
                 );
             }
         }
@@ -75,7 +85,10 @@ impl Context<'_> {
                     Diagnostic::error(
                         "mass-twice",
                         &place.path,
-                        format!("{}: mass is given both by the body and by its shapes", place.owner),
+                        format!(
+                            "{}: mass is given both by the body and by its shapes",
+                            place.owner
+                        ),
                     )
                     .help("give mass, inertia and center, or mass/density of the shapes, not both"),
                 );
@@ -97,13 +110,18 @@ impl Context<'_> {
             }
             return sum;
         }
-        MassProperties { mass: mass.unwrap_or(0.0), center, inertia: inertia.unwrap_or(0.0) }
+        MassProperties {
+            mass: mass.unwrap_or(0.0),
+            center,
+            inertia: inertia.unwrap_or(0.0),
+        }
     }
 
     fn shape_part(&mut self, shape: &Shape, place: &Place) -> Option<MassProperties> {
         let at = self.optional_point(shape.at.as_ref(), place, "at")?;
-        let angle =
-            self.optional(shape.angle.as_ref(), Dim::NONE, place, "angle").unwrap_or(0.0);
+        let angle = self
+            .optional(shape.angle.as_ref(), Dim::NONE, place, "angle")
+            .unwrap_or(0.0);
         let geometry = self.geometry(&shape.kind, place)?;
         let mass = match (&shape.mass, &shape.density) {
             (Some(_), Some(_)) => {
@@ -149,9 +167,9 @@ impl Context<'_> {
             (None, None) => return None,
         };
         let lump_inertia = match &shape.kind {
-            ShapeKind::Lump { inertia } => {
-                self.optional(inertia.as_ref(), Dim::INERTIA, place, "inertia").unwrap_or(0.0)
-            }
+            ShapeKind::Lump { inertia } => self
+                .optional(inertia.as_ref(), Dim::INERTIA, place, "inertia")
+                .unwrap_or(0.0),
             _ => 0.0,
         };
         let sign = if shape.cut { -1.0 } else { 1.0 };
@@ -163,7 +181,11 @@ impl Context<'_> {
     }
 
     fn geometry(&mut self, kind: &ShapeKind, place: &Place) -> Option<Geometry> {
-        let centred = |area, gyration2| Geometry { area, centroid: Vector2::zeros(), gyration2 };
+        let centred = |area, gyration2| Geometry {
+            area,
+            centroid: Vector2::zeros(),
+            gyration2,
+        };
         let mut length = |value, key: &str| self.positive(value, Dim::LENGTH, key, place, key);
         Some(match kind {
             ShapeKind::Bar { length: l, width } => {
@@ -189,20 +211,28 @@ impl Context<'_> {
                         Diagnostic::error(
                             "bad-ring",
                             place.key("inner"),
-                            format!("{}: the inner radius is not smaller than the outer", place.owner),
+                            format!(
+                                "{}: the inner radius is not smaller than the outer",
+                                place.owner
+                            ),
                         )
                         .help("exchange or correct the radii"),
                     );
                     return None;
                 }
-                centred(std::f64::consts::PI * (r * r - i * i), (r * r + i * i) / 2.0)
+                centred(
+                    std::f64::consts::PI * (r * r - i * i),
+                    (r * r + i * i) / 2.0,
+                )
             }
             ShapeKind::Polygon { points } => {
                 let path = place.key("points");
                 let corners: Vec<Option<Vector2<f64>>> = points
                     .iter()
                     .enumerate()
-                    .map(|(k, p)| self.vector(p, Dim::LENGTH, &place.owner, &format!("{path}[{k}]")))
+                    .map(|(k, p)| {
+                        self.vector(p, Dim::LENGTH, &place.owner, &format!("{path}[{k}]"))
+                    })
                     .collect();
                 let corners: Option<Vec<_>> = corners.into_iter().collect();
                 return self.polygon(&corners?, place);
@@ -235,6 +265,10 @@ impl Context<'_> {
         let centroid = first / area;
         // Orientation cancels in the quotients; the area itself is taken positive.
         let gyration2 = second / area - centroid.norm_squared();
-        Some(Geometry { area: area.abs(), centroid, gyration2 })
+        Some(Geometry {
+            area: area.abs(),
+            centroid,
+            gyration2,
+        })
     }
 }

@@ -33,7 +33,10 @@ fn unknown<'a>(path: &[&str], known: impl Iterator<Item = &'a str>, note: &str) 
     let name = path.join(".");
     let known: Vec<&str> = known.collect();
     UnknownName {
-        suggestions: crate::text::nearest(&name, known).map(str::to_owned).into_iter().collect(),
+        suggestions: crate::text::nearest(&name, known)
+            .map(str::to_owned)
+            .into_iter()
+            .collect(),
         note: Some(note.to_owned()),
     }
 }
@@ -66,7 +69,11 @@ pub(super) struct StateScope<'a> {
 }
 
 /// What stands for the measure of time, which has none.
-const NO_MEASURE: GlobalMeasure = GlobalMeasure { kind: MeasureKind::Angle, first: 0, second: 0 };
+const NO_MEASURE: GlobalMeasure = GlobalMeasure {
+    kind: MeasureKind::Angle,
+    first: 0,
+    second: 0,
+};
 
 impl<'a> StateScope<'a> {
     /// Slot 0 is time.
@@ -76,7 +83,12 @@ impl<'a> StateScope<'a> {
         properties: &'a IndexMap<String, Vec<Property>>,
     ) -> Self {
         let used = RefCell::new(vec![(SignalKind::Time, NO_MEASURE)]);
-        Self { parameters, functions, properties, used }
+        Self {
+            parameters,
+            functions,
+            properties,
+            used,
+        }
     }
 
     /// What the slots stand for.
@@ -86,17 +98,22 @@ impl<'a> StateScope<'a> {
 
     fn slot(&self, kind: SignalKind, measure: GlobalMeasure) -> usize {
         let mut used = self.used.borrow_mut();
-        used.iter().position(|x| *x == (kind, measure)).unwrap_or_else(|| {
-            used.push((kind, measure));
-            used.len() - 1
-        })
+        used.iter()
+            .position(|x| *x == (kind, measure))
+            .unwrap_or_else(|| {
+                used.push((kind, measure));
+                used.len() - 1
+            })
     }
 }
 
 impl Scope for StateScope<'_> {
     fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
         match path {
-            ["t"] => Ok(Resolved::Slot { index: 0, dim: Quantity::Known(Dim::TIME) }),
+            ["t"] => Ok(Resolved::Slot {
+                index: 0,
+                dim: Quantity::Known(Dim::TIME),
+            }),
             [name] => match self.parameters.get(*name) {
                 Some(&(value, dim)) => Ok(Resolved::Constant { value, dim }),
                 None if self.properties.contains_key(*name) => Err(UnknownName {
@@ -105,7 +122,9 @@ impl Scope for StateScope<'_> {
                         .take(6)
                         .map(|p| format!("{name}.{}", p.name))
                         .collect(),
-                    note: Some(format!("'{name}' is an element, a quantity of it is needed")),
+                    note: Some(format!(
+                        "'{name}' is an element, a quantity of it is needed"
+                    )),
                 }),
                 None => Err(unknown(
                     path,
@@ -120,13 +139,19 @@ impl Scope for StateScope<'_> {
                         dim: Quantity::Known(p.dim),
                     }),
                     None => Err(UnknownName {
-                        suggestions: crate::text::nearest(property, list.iter().map(|p| p.name.as_str()))
-                            .map(|p| format!("{name}.{p}"))
-                            .into_iter()
-                            .collect(),
+                        suggestions: crate::text::nearest(
+                            property,
+                            list.iter().map(|p| p.name.as_str()),
+                        )
+                        .map(|p| format!("{name}.{p}"))
+                        .into_iter()
+                        .collect(),
                         note: Some(format!(
                             "'{name}' has: {}",
-                            list.iter().map(|p| p.name.as_str()).collect::<Vec<_>>().join(", ")
+                            list.iter()
+                                .map(|p| p.name.as_str())
+                                .collect::<Vec<_>>()
+                                .join(", ")
                         )),
                     }),
                 },
@@ -135,14 +160,21 @@ impl Scope for StateScope<'_> {
                     note: Some("only t and parameters can be used here".to_owned()),
                 }),
                 None => Err(UnknownName {
-                    suggestions: crate::text::nearest(name, self.properties.keys().map(String::as_str))
-                        .map(|n| format!("{n}.{property}"))
-                        .into_iter()
-                        .collect(),
+                    suggestions: crate::text::nearest(
+                        name,
+                        self.properties.keys().map(String::as_str),
+                    )
+                    .map(|n| format!("{n}.{property}"))
+                    .into_iter()
+                    .collect(),
                     note: Some(format!("there is no element '{name}' with quantities")),
                 }),
             },
-            _ => Err(unknown(path, std::iter::empty(), "names have one or two parts")),
+            _ => Err(unknown(
+                path,
+                std::iter::empty(),
+                "names have one or two parts",
+            )),
         }
     }
 
@@ -191,7 +223,9 @@ impl Context<'_> {
                 return;
             }
             for name in ready {
-                let Some((value, path)) = pending.shift_remove(&name) else { continue };
+                let Some((value, path)) = pending.shift_remove(&name) else {
+                    continue;
+                };
                 let owner = format!("parameter '{name}'");
                 if let Some((x, quantity)) = self.parameter_value(&value, &owner, &path) {
                     self.parameters.insert(name, (x, quantity));
@@ -203,11 +237,21 @@ impl Context<'_> {
         }
     }
 
-    fn parameter_value(&mut self, value: &Value, owner: &str, path: &str) -> Option<(f64, Quantity)> {
+    fn parameter_value(
+        &mut self,
+        value: &Value,
+        owner: &str,
+        path: &str,
+    ) -> Option<(f64, Quantity)> {
         let Value::Text(text) = value else {
-            return self.constant(value, Quantity::Free, owner, path).map(|x| (x, Quantity::Free));
+            return self
+                .constant(value, Quantity::Free, owner, path)
+                .map(|x| (x, Quantity::Free));
         };
-        let scope = ConstantScope { parameters: &self.parameters, functions: &self.functions };
+        let scope = ConstantScope {
+            parameters: &self.parameters,
+            functions: &self.functions,
+        };
         match dalembert_expr::compile(text, &scope, Quantity::Free) {
             Ok(program) => {
                 let x = self.constant(value, Quantity::Free, owner, path)?;
@@ -222,11 +266,18 @@ impl Context<'_> {
 
     fn report_cycle(&mut self, pending: &IndexMap<String, (Value, String)>) {
         // Follow the dependences from the first open parameter until one repeats.
-        let Some(first) = pending.keys().next() else { return };
+        let Some(first) = pending.keys().next() else {
+            return;
+        };
         let mut chain = vec![first.clone()];
         loop {
-            let Some((value, _)) = chain.last().and_then(|last| pending.get(last)) else { return };
-            let Some(next) = dependencies(value).into_iter().find(|d| pending.contains_key(d)) else {
+            let Some((value, _)) = chain.last().and_then(|last| pending.get(last)) else {
+                return;
+            };
+            let Some(next) = dependencies(value)
+                .into_iter()
+                .find(|d| pending.contains_key(d))
+            else {
                 return;
             };
             if let Some(start) = chain.iter().position(|n| *n == next) {
@@ -237,7 +288,10 @@ impl Context<'_> {
                     Diagnostic::error(
                         "parameter-cycle",
                         path,
-                        format!("parameters depend on each other in a circle: {}", cycle.join(" -> ")),
+                        format!(
+                            "parameters depend on each other in a circle: {}",
+                            cycle.join(" -> ")
+                        ),
                     )
                     .help("give one of them as a number"),
                 );
@@ -253,7 +307,11 @@ fn dependencies(value: &Value) -> Vec<String> {
         Value::Number(_) => Vec::new(),
         Value::Text(text) => dalembert_expr::names(text)
             .map(|names| {
-                names.into_iter().filter(|(p, _)| p.len() == 1).map(|(mut p, _)| p.remove(0)).collect()
+                names
+                    .into_iter()
+                    .filter(|(p, _)| p.len() == 1)
+                    .map(|(mut p, _)| p.remove(0))
+                    .collect()
             })
             .unwrap_or_default(),
     }

@@ -52,7 +52,9 @@ impl Options {
     /// Instants of the written results: start, start + step, ..., end.
     pub fn instants(&self) -> Vec<f64> {
         let steps = ((self.end - self.start) / self.step * (1.0 + 1e-12)).floor() as usize;
-        let mut times: Vec<f64> = (0..=steps).map(|k| self.start + k as f64 * self.step).collect();
+        let mut times: Vec<f64> = (0..=steps)
+            .map(|k| self.start + k as f64 * self.step)
+            .collect();
         if let Some(last) = times.last_mut() {
             if (self.end - *last).abs() <= 1e-9 * self.step {
                 *last = self.end;
@@ -71,7 +73,9 @@ impl Context<'_> {
         let a = &model.analysis;
         let owner = "analysis";
         let mut number = |value: &Option<Value>, dim: Dim, key: &str| {
-            value.as_ref().and_then(|v| self.number(v, dim, owner, &format!("analysis.{key}")))
+            value
+                .as_ref()
+                .and_then(|v| self.number(v, dim, owner, &format!("analysis.{key}")))
         };
         let start = number(&a.start, Dim::TIME, "start").unwrap_or(0.0);
         let end = number(&a.end, Dim::TIME, "end").unwrap_or(start + 1.0);
@@ -89,19 +93,38 @@ impl Context<'_> {
         }
         let mut check = |good: bool, key: &str, message: &str, help: &str| {
             if !good {
-                let d = Diagnostic::error("bad-option", format!("analysis.{key}"), format!("analysis: {message}"));
+                let d = Diagnostic::error(
+                    "bad-option",
+                    format!("analysis.{key}"),
+                    format!("analysis: {message}"),
+                );
                 self.report(d.help(help));
             }
         };
-        check(end > start, "end", &format!("end ({end} s) is not after start ({start} s)"), "give a later end");
-        check(step > 0.0, "step", "step must be positive", "give a positive step");
+        check(
+            end > start,
+            "end",
+            &format!("end ({end} s) is not after start ({start} s)"),
+            "give a later end",
+        );
+        check(
+            step > 0.0,
+            "step",
+            "step must be positive",
+            "give a positive step",
+        );
         check(
             (1e-14..=0.1).contains(&tolerance),
             "tolerance",
             &format!("tolerance {tolerance} is not between 1e-14 and 0.1"),
             "1e-8 suits most machines",
         );
-        check(max_step > 0.0, "max_step", "max_step must be positive", "give a positive max_step");
+        check(
+            max_step > 0.0,
+            "max_step",
+            "max_step must be positive",
+            "give a positive max_step",
+        );
         check(
             baumgarte.iter().all(|x| *x > 0.0),
             "baumgarte",
@@ -109,7 +132,12 @@ impl Context<'_> {
             "50 and 50 per second is a usual choice",
         );
         if step > 0.0 && (end - start) / step > 1e7 {
-            check(false, "step", "more than ten million instants would be written", "give a larger step");
+            check(
+                false,
+                "step",
+                "more than ten million instants would be written",
+                "give a larger step",
+            );
         }
         self.options = super::Options {
             start,

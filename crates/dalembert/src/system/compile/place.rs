@@ -11,7 +11,10 @@ pub(super) struct Place {
 
 impl Place {
     pub fn new(section: &str, index: usize, kind: &str, name: &str) -> Self {
-        Self { owner: format!("{kind} '{name}'"), path: format!("{section}[{index}]") }
+        Self {
+            owner: format!("{kind} '{name}'"),
+            path: format!("{section}[{index}]"),
+        }
     }
 
     /// Path of a key of the element.

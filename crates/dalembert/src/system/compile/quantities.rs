@@ -10,15 +10,28 @@ use nalgebra::Vector2;
 impl MeasureKind {
     /// Dimension of the value.
     pub(super) fn dim(self) -> Dim {
-        if self.is_angle() { Dim::NONE } else { Dim::LENGTH }
+        if self.is_angle() {
+            Dim::NONE
+        } else {
+            Dim::LENGTH
+        }
     }
 }
 
 impl Context<'_> {
     /// The measure that a quantity stands for.
-    pub fn quantity(&mut self, quantity: &Quantity, owner: &str, path: &str) -> Option<GlobalMeasure> {
+    pub fn quantity(
+        &mut self,
+        quantity: &Quantity,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure> {
         match quantity {
-            Quantity::Coordinate { body, at, coordinate } => {
+            Quantity::Coordinate {
+                body,
+                at,
+                coordinate,
+            } => {
                 let place = self.place(body, owner, &format!("{path}.body"))?;
                 let at = match at {
                     Some(at) => self.vector(at, Dim::LENGTH, owner, &format!("{path}.at"))?,
@@ -30,7 +43,11 @@ impl Context<'_> {
                     CoordinateName::Angle => MeasureKind::Angle,
                 };
                 let second = self.marker(&place, at, 0.0);
-                Some(GlobalMeasure { kind, first: 0, second })
+                Some(GlobalMeasure {
+                    kind,
+                    first: 0,
+                    second,
+                })
             }
             Quantity::Angle { joint } => self.joint_coordinate(joint, "angle", owner, path),
             Quantity::Displacement { joint } => {
@@ -41,11 +58,19 @@ impl Context<'_> {
                     let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"))?;
                     Some(self.marker(&place, Vector2::zeros(), 0.0))
                 });
-                Some(GlobalMeasure { kind: MeasureKind::Angle, first: a?, second: b? })
+                Some(GlobalMeasure {
+                    kind: MeasureKind::Angle,
+                    first: a?,
+                    second: b?,
+                })
             }
             Quantity::Distance { bodies, at } => {
                 let [first, second] = self.two_points(bodies, at, owner, path)?;
-                let m = GlobalMeasure { kind: MeasureKind::Distance, first, second };
+                let m = GlobalMeasure {
+                    kind: MeasureKind::Distance,
+                    first,
+                    second,
+                };
                 self.nonzero_distance(m, owner, path)
             }
         }
@@ -68,7 +93,12 @@ impl Context<'_> {
     }
 
     /// Refuses a distance that is zero in the estimate: its direction would be undefined.
-    pub fn nonzero_distance(&mut self, m: GlobalMeasure, owner: &str, path: &str) -> Option<GlobalMeasure> {
+    pub fn nonzero_distance(
+        &mut self,
+        m: GlobalMeasure,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure> {
         if self.estimate(m) > 0.0 {
             return Some(m);
         }
@@ -106,14 +136,23 @@ impl Context<'_> {
             format!("this joint has: {}", has.join(", "))
         };
         self.report(
-            Diagnostic::error("no-coordinate", path, format!("{owner}: joint '{joint}' has no {name}"))
-                .help(help),
+            Diagnostic::error(
+                "no-coordinate",
+                path,
+                format!("{owner}: joint '{joint}' has no {name}"),
+            )
+            .help(help),
         );
         None
     }
 
     /// The only free coordinate of a joint.
-    pub fn only_coordinate(&mut self, joint: &str, owner: &str, path: &str) -> Option<GlobalMeasure> {
+    pub fn only_coordinate(
+        &mut self,
+        joint: &str,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure> {
         let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
         if let [c] = place.coordinates.as_slice() {
             return Some(GlobalMeasure {
@@ -143,11 +182,19 @@ impl Context<'_> {
         }
         let known: Vec<&str> = self.model.joints.iter().map(|j| j.name.as_str()).collect();
         let help = super::context::suggestion(joint, &known).unwrap_or_else(|| {
-            if known.is_empty() { "the model has no joints".to_owned() } else { format!("the joints are: {}", known.join(", ")) }
+            if known.is_empty() {
+                "the model has no joints".to_owned()
+            } else {
+                format!("the joints are: {}", known.join(", "))
+            }
         });
         self.report(
-            Diagnostic::error("unknown-joint", path, format!("{owner}: there is no joint '{joint}'"))
-                .help(help),
+            Diagnostic::error(
+                "unknown-joint",
+                path,
+                format!("{owner}: there is no joint '{joint}'"),
+            )
+            .help(help),
         );
         None
     }
