@@ -11,7 +11,7 @@ pub struct AnimatedBody {
     pub name: String,
     /// Colour, "#rrggbb"; `None` leaves it to the viewer.
     pub color: Option<String>,
-    /// Origin of the body frame in ground axes [m]: x, y, z of every instant in one row.
+    /// Origin of the body frame in ground axes (m): x, y, z of every instant in one row.
     #[serde(serialize_with = "rounded::slice")]
     pub position: Vec<f64>,
     /// Orientation of the body frame: w, x, y, z of every instant in one row.
@@ -46,7 +46,7 @@ pub struct Joint {
 pub struct JointEnd {
     /// Body, or "ground".
     pub body: String,
-    /// Point in the frame of the body [m].
+    /// Point in the frame of the body (m).
     #[serde(serialize_with = "rounded::slice")]
     pub at: [f64; 3],
     /// Direction in the frame of the body, for joints that have one.
@@ -72,7 +72,7 @@ pub struct Spring {
 pub struct SpringEnd {
     /// Body, or "ground".
     pub body: String,
-    /// Point in the frame of the body [m].
+    /// Point in the frame of the body (m).
     #[serde(serialize_with = "rounded::slice")]
     pub at: [f64; 3],
 }
@@ -84,7 +84,7 @@ pub struct AnimatedTrace {
     pub name: String,
     /// Body, or "ground".
     pub body: String,
-    /// Point in the frame of the body [m].
+    /// Point in the frame of the body (m).
     #[serde(serialize_with = "rounded::slice")]
     pub at: [f64; 3],
 }

@@ -20,7 +20,7 @@ pub struct Animation {
     pub space: String,
     /// Name of the analysis.
     pub analysis: String,
-    /// Instants of the frames [s].
+    /// Instants of the frames (s).
     #[serde(serialize_with = "rounded::slice")]
     pub time: Vec<f64>,
     /// Moving bodies.

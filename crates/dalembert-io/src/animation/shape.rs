@@ -9,7 +9,7 @@ pub struct Shape {
     /// Form and sizes.
     #[serde(flatten)]
     pub form: Form,
-    /// Centre of the shape [m].
+    /// Centre of the shape (m).
     #[serde(serialize_with = "rounded::slice")]
     pub position: [f64; 3],
     /// Orientation of the shape, scalar first.
@@ -33,7 +33,7 @@ impl Shape {
         }
     }
 
-    /// Puts the shape at a point of the plane, turned by an angle [rad].
+    /// Puts the shape at a point of the plane, turned by an angle (rad).
     #[must_use]
     pub fn planar(mut self, at: [f64; 2], angle: f64) -> Self {
         self.position = [at[0], at[1], 0.0];

@@ -1,14 +1,14 @@
 //! One curve of a panel.
 
 use super::axis::Axis;
-use super::decimate::{self, Point};
+use super::decimate;
 use super::palette::Look;
-use super::svg::{Svg, px};
+use super::svg::{Point, Svg, px};
 
-/// Width of a curve [px].
+/// Width of a curve (px).
 const LINE: f64 = 1.5;
 
-/// Width of the columns in which a curve over time is thinned [px].
+/// Width of the columns in which a curve over time is thinned (px).
 const COLUMN: f64 = 0.5;
 
 /// One curve: two rows of numbers, a label and a look.

@@ -1,7 +1,6 @@
 //! Thinning of long curves to what pixels can show.
 
-/// A point in pixels.
-pub(super) type Point = (f64, f64);
+use super::svg::Point;
 
 /// Most points that a curve in the plane keeps.
 const MAX_POINTS: usize = 8000;

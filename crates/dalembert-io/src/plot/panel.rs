@@ -7,9 +7,9 @@ use super::svg::{Anchor, Svg, px};
 use super::text;
 use super::ticks::Ticks;
 
-/// Font size of tick labels [px].
+/// Font size of tick labels (px).
 const TICK_FONT: f64 = 11.0;
-/// Font size of axis labels [px].
+/// Font size of axis labels (px).
 const LABEL_FONT: f64 = 12.0;
 
 /// One panel, ready to draw; its place is that of its axes.
@@ -22,7 +22,7 @@ pub(super) struct Panel<'a> {
     pub y_label: String,
     /// Width for the legend, right of the panel.
     pub legend_width: f64,
-    /// Centre line of the rotated y label [px].
+    /// Centre line of the rotated y label (px).
     pub y_label_at: f64,
 }
 

@@ -2,6 +2,9 @@
 
 use std::fmt::Write;
 
+/// A point in pixels.
+pub(super) type Point = (f64, f64);
+
 /// SVG under construction.
 pub(super) struct Svg {
     text: String,
@@ -63,7 +66,7 @@ impl Svg {
     }
 
     /// One path of many straight pieces, each from one point to another.
-    pub fn lines(&mut self, pieces: &[((f64, f64), (f64, f64))], attributes: &str) {
+    pub fn lines(&mut self, pieces: &[(Point, Point)], attributes: &str) {
         if pieces.is_empty() {
             return;
         }
@@ -81,7 +84,7 @@ impl Svg {
     }
 
     /// A polyline through points.
-    pub fn polyline(&mut self, points: &[(f64, f64)]) {
+    pub fn polyline(&mut self, points: &[Point]) {
         self.text.push_str("<polyline points=\"");
         for (k, (x, y)) in points.iter().enumerate() {
             let gap = if k == 0 { "" } else { " " };

@@ -1,6 +1,6 @@
 //! How wide text will be; without the reader's font an estimate, on the wide side.
 
-/// Estimated width of text in a sans-serif font of the given size [px].
+/// Estimated width of text in a sans-serif font of the given size (px).
 pub(super) fn width(text: &str, size: f64) -> f64 {
     text.chars().map(em).sum::<f64>() * size
 }

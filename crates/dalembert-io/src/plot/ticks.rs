@@ -53,7 +53,12 @@ impl Ticks {
             if base.abs() >= 1e7 {
                 format!("{base:e}")
             } else {
-                fixed(base, decimals)
+                let text = fixed(base, decimals);
+                if text.contains('.') {
+                    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+                } else {
+                    text
+                }
             }
         });
         Self {

@@ -9,7 +9,7 @@ use super::ticks::Ticks;
 use super::{Series, label, legend, palette, text};
 use dalembert::results::Channel;
 
-/// Space above the first panel without and with a title, and below the last one [px].
+/// Space above the first panel without and with a title, and below the last one (px).
 const TOP: f64 = 24.0;
 const TITLE: f64 = 26.0;
 const BOTTOM: f64 = 46.0;
@@ -30,9 +30,9 @@ pub struct Plot {
     pub x: Series,
     /// What is laid upward, each as long as `x` (the shorter of the two counts).
     pub ys: Vec<Series>,
-    /// Width of the picture [px].
+    /// Width of the picture (px).
     pub width: f64,
-    /// Height of the picture [px]; `None` gives every panel the height that it needs.
+    /// Height of the picture (px); `None` gives every panel the height that it needs.
     pub height: Option<f64>,
 }
 

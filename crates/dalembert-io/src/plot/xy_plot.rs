@@ -42,9 +42,9 @@ pub struct XyPlot {
     pub curves: Vec<XyCurve>,
     /// Is a unit as long upward as to the right? Paths of points then keep their form.
     pub equal_aspect: bool,
-    /// Width of the picture [px].
+    /// Width of the picture (px).
     pub width: f64,
-    /// Height of the picture [px]; `None` lets the form of the curves decide.
+    /// Height of the picture (px); `None` lets the form of the curves decide.
     pub height: Option<f64>,
 }
 

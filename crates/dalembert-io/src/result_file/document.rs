@@ -58,7 +58,7 @@ impl<'a> Document<'a> {
             name: Cow::Borrowed(c.name.as_str()),
             unit: Cow::Borrowed(c.unit.as_str()),
             meaning: Cow::Borrowed(c.meaning.as_str()),
-            values: values.then(|| Cow::Borrowed(c.values.as_slice())),
+            values: values.then_some(Cow::Borrowed(c.values.as_slice())),
         };
         Self {
             format: Cow::Borrowed(format),

@@ -34,6 +34,17 @@ pub enum WriteError {
         /// The file that stands where the sidecar would go.
         path: PathBuf,
     },
+    /// The file is the sidecar of another result file, which would lose its units and meanings.
+    #[error(
+        "{}: this file describes {data:?} and stays as it is; choose another name for the results",
+        path.display()
+    )]
+    SidecarOfAnother {
+        /// The file.
+        path: PathBuf,
+        /// The file that it describes, in the same folder.
+        data: String,
+    },
     /// The system refused to write.
     #[error("{}: cannot write: {source}", path.display())]
     Io {

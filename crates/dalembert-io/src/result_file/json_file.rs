@@ -1,7 +1,7 @@
 //! JSON result files.
 
 use super::document::{Document, RESULTS_FORMAT, SIDECAR_FORMAT};
-use super::{Meta, ReadError, WriteError, atomic};
+use super::{Meta, ReadError, WriteError, atomic, sidecar};
 use dalembert::results::{Channel, Results};
 use serde::Deserialize;
 use std::fs;
@@ -18,6 +18,12 @@ struct Tag {
 }
 
 pub(super) fn write(path: &Path, results: &Results, meta: &Meta) -> Result<(), WriteError> {
+    if let Some(data) = sidecar::owner(path).filter(|data| path.with_file_name(data).exists()) {
+        return Err(WriteError::SidecarOfAnother {
+            path: path.to_owned(),
+            data,
+        });
+    }
     let document = Document::of_results(results, meta);
     atomic::write_file(path, |w| {
         serde_json::to_writer(w, &document).map_err(io::Error::from)

@@ -16,7 +16,7 @@ pub fn sidecar_path(data: &Path) -> PathBuf {
 /// Writes the sidecar of the data file `data`; never overwrites a file that is not a sidecar.
 pub(super) fn write(data: &Path, results: &Results, meta: &Meta) -> Result<(), WriteError> {
     let path = sidecar_path(data);
-    if path.exists() && !is_sidecar(&path) {
+    if path.exists() && owner(&path).is_none() {
         return Err(WriteError::SidecarInTheWay { path });
     }
     let name = data
@@ -59,13 +59,15 @@ pub(super) fn describe(document: &Document, results: &mut Results, has_units: bo
     }
 }
 
-fn is_sidecar(path: &Path) -> bool {
+/// Name of the data file that the sidecar at `path` belongs to; `None` where this is no sidecar.
+pub(super) fn owner(path: &Path) -> Option<String> {
     #[derive(Deserialize)]
     struct Tag {
         format: String,
+        #[serde(default)]
+        data: String,
     }
-    fs::read_to_string(path)
-        .ok()
-        .and_then(|text| serde_json::from_str::<Tag>(&text).ok())
-        .is_some_and(|tag| tag.format == SIDECAR_FORMAT)
+    let text = fs::read_to_string(path).ok()?;
+    let tag: Tag = serde_json::from_str(&text).ok()?;
+    (tag.format == SIDECAR_FORMAT).then_some(tag.data)
 }

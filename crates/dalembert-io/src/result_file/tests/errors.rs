@@ -116,6 +116,23 @@ fn a_full_result_file_is_not_overwritten_by_a_sidecar() {
 }
 
 #[test]
+fn a_full_result_file_does_not_replace_the_sidecar_of_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let (csv, json) = (
+        folder.path().join("run.csv"),
+        folder.path().join("run.json"),
+    );
+    write(&csv, &sample(1), &Meta::default()).unwrap();
+    let error = write(&json, &sample(2), &Meta::default()).unwrap_err();
+    assert!(matches!(error, WriteError::SidecarOfAnother { data, .. } if data == "run.csv"));
+    assert_eq!(read(&csv).unwrap(), sample(1));
+    // Without its data file the sidecar describes nothing.
+    fs::remove_file(&csv).unwrap();
+    write(&json, &sample(2), &Meta::default()).unwrap();
+    assert_eq!(read(&json).unwrap(), sample(2));
+}
+
+#[test]
 fn a_missing_folder_is_reported_with_the_path() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("none").join("x.json");
