@@ -48,12 +48,15 @@ impl Plot {
         }
     }
 
-    /// Channels over another one.
+    /// Channels over another one; the channel `x` itself is left out of `ys` (patterns often catch it).
     pub fn of_channels(title: impl Into<String>, x: &Channel, ys: &[&Channel]) -> Self {
         Self::new(
             title,
             Series::from(x),
-            ys.iter().map(|y| Series::from(*y)).collect(),
+            ys.iter()
+                .filter(|y| y.name != x.name)
+                .map(|y| Series::from(*y))
+                .collect(),
         )
     }
 

@@ -8,6 +8,7 @@ use super::svg::{Anchor, Svg};
 use super::ticks::Ticks;
 use super::time_plot::{UNIT_RANGE, X_SPACING, Y_SPACING};
 use super::{label, legend, palette, text};
+use dalembert::results::Channel;
 
 const TOP: f64 = 24.0;
 const TITLE: f64 = 26.0;
@@ -23,6 +24,17 @@ pub struct XyCurve {
     pub x: Vec<f64>,
     /// What is laid upward, as long as `x` (the shorter of the two counts).
     pub y: Vec<f64>,
+}
+
+impl XyCurve {
+    /// One channel over another.
+    pub fn of_channels(label: impl Into<String>, x: &Channel, y: &Channel) -> Self {
+        Self {
+            label: label.into(),
+            x: x.values.clone(),
+            y: y.values.clone(),
+        }
+    }
 }
 
 /// Curves in a plane: paths of points, phase portraits.
