@@ -1,0 +1,7 @@
+//! The commands, one file each.
+
+pub mod kinematics;
+pub mod new;
+pub mod plot;
+pub mod schema;
+pub mod simulate;
