@@ -1,0 +1,59 @@
+import type { Animation, Body, Point2, Vec3 } from "../data/contract";
+import { bodyParts, circle, type Loops, type Part } from "./outline";
+
+/** How a body is drawn, in its own frame. */
+export interface BodyLook {
+  readonly body: Body;
+  readonly parts: readonly Part[];
+  /** Centres of the lumps. */
+  readonly lumps: readonly Point2[];
+  /** Points joined by a link where the body has no shape; sorted around their centre if more than two. */
+  readonly link: readonly Point2[];
+  /** Curves that joints gave to the body: pitch circles, profiles. */
+  readonly curves: Loops;
+  /** Sliders of a body without shapes: centre and direction of a block. */
+  readonly blocks: readonly { readonly at: Point2; readonly direction: Point2 }[];
+}
+
+/** Joints whose points say nothing of the form of a body. */
+const FORMLESS_KINDS = new Set(["gear"]);
+
+export function bodyLook(animation: Animation, body: Body, rollers: ReadonlyMap<Body, { at: Vec3; radius: number }>): BodyLook {
+  const attachments = [...animation.joints, ...animation.springs].flatMap((element) =>
+    [element.first, element.second].filter((side) => side.body === body).map((side) => ({ element, side })),
+  );
+  const curves = attachments.flatMap(({ side }) => (side.outline ? [side.outline] : []));
+  const parts = bodyParts(body.shapes);
+  const lumps = body.shapes.filter((s) => s.form.kind === "lump").map((s) => [s.position[0], s.position[1]] as const);
+  if (body.shapes.length > 0) return { body, parts, lumps, link: [], curves, blocks: [] };
+
+  const roller = rollers.get(body);
+  if (curves.length > 0 || roller) {
+    const round: Part[] = roller ? [{ loops: [circle(roller.at[0], roller.at[1], roller.radius)], color: null }] : [];
+    return { body, parts: [...curves.map((loop) => ({ loops: [loop], color: null })), ...round], lumps, link: [], curves: [], blocks: [] };
+  }
+  const blocks = attachments
+    .filter(({ element, side }) => element.kind === "prismatic" && side === element.second && side.direction !== null)
+    .map(({ side }) => ({ at: [side.at[0], side.at[1]] as const, direction: [side.direction![0], side.direction![1]] as const }));
+  const points = distinct(attachments.filter(({ element }) => !FORMLESS_KINDS.has(element.kind)).map(({ side }) => side.at));
+  // One point alone is no link: the origin of the body is the other end.
+  const ends = points.length === 1 && blocks.length === 0 ? distinct([[...points[0]!, 0], [0, 0, 0]]) : points;
+  const link = ends.length > 2 ? around(ends) : ends;
+  // Nothing to draw at all: a dot at the origin.
+  return { body, parts, lumps: link.length < 2 && blocks.length === 0 ? [link[0] ?? [0, 0]] : lumps, link: link.length < 2 ? [] : link, curves, blocks };
+}
+
+function distinct(points: readonly Vec3[]): Point2[] {
+  const size = Math.max(...points.map(([x, y]) => Math.hypot(x, y)), 0);
+  const out: Point2[] = [];
+  for (const [x, y] of points) {
+    if (!out.some((p) => Math.hypot(p[0] - x, p[1] - y) <= 1e-6 * size)) out.push([x, y]);
+  }
+  return out;
+}
+
+function around(points: readonly Point2[]): Point2[] {
+  const x = points.reduce((sum, p) => sum + p[0], 0) / points.length;
+  const y = points.reduce((sum, p) => sum + p[1], 0) / points.length;
+  return [...points].sort((a, b) => Math.atan2(a[1] - y, a[0] - x) - Math.atan2(b[1] - y, b[0] - x));
+}
