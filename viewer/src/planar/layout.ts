@@ -24,7 +24,7 @@ const SAMPLES = 300;
 export function layOut(animation: Animation): Layout {
   const frames = sampleFrames(animation.time.length, SAMPLES);
   const round = rollers(animation);
-  const looks = animation.bodies.map((body) => bodyLook(animation, body, round));
+  const looks = inDrawingOrder(animation).map((body) => bodyLook(animation, body, round));
   const groundParts = bodyParts(animation.groundShapes);
 
   const bounds = new Bounds();
@@ -60,6 +60,12 @@ export function layOut(animation: Animation): Layout {
     }
   }
   return { looks, groundParts, guides: lines, traces, unit, bounds };
+}
+
+/** Sliders on the ground lie behind the links that move them. */
+function inDrawingOrder(animation: Animation): readonly Body[] {
+  const slides = (body: Body) => animation.joints.some((j) => j.kind === "prismatic" && j.first.body === null && j.second.body === body);
+  return [...animation.bodies.filter(slides), ...animation.bodies.filter((body) => !slides(body))];
 }
 
 function corners(look: BodyLook): readonly Point2[] {

@@ -56,7 +56,9 @@ export class PlanarView implements View {
     this.canvas.height = Math.max(1, Math.round(clientHeight * ratio));
     this.camera.resize(clientWidth, clientHeight);
     if (!this.touched) this.camera.fit(this.figure.layout.bounds, MARGIN);
-    this.redraw();
+    // A new size empties the canvas; waiting for the next turn would show it empty.
+    if (this.shown) this.draw(this.shown.frame, this.shown.options);
+    else this.redraw();
   }
 
   fit(): void {

@@ -55,7 +55,9 @@ export class SpatialView implements View {
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = Math.max(1, clientWidth) / Math.max(1, clientHeight);
     this.camera.updateProjectionMatrix();
-    this.redraw();
+    // A new size empties the canvas; waiting for the next turn would show it empty.
+    if (this.shown) this.draw(this.shown.frame, this.shown.options);
+    else this.redraw();
   }
 
   fit(): void {
