@@ -5,8 +5,8 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
-// The writer of a page replaces this string by the data; it must stand in the page exactly once.
-const PLACEHOLDER = '"@dalembert-data@"';
+// The writer of a page puts the data into this element; it must stand in the page exactly once.
+const PLACE = '<script id="dalembert-data" type="application/json"></script>';
 
 async function bundle(entry) {
   const result = await build({
@@ -37,7 +37,7 @@ const template = await readFile(join(here, "src/page.html"), "utf8");
 const page = template
   .replace("/*STYLE*/", () => style)
   .replace("/*SCRIPT*/", () => script);
-if (page.split(PLACEHOLDER).length !== 2) throw new Error(`the page must contain ${PLACEHOLDER} exactly once`);
+if (page.split(PLACE).length !== 2) throw new Error(`the page must contain ${PLACE} exactly once`);
 
 await mkdir(join(here, "dist"), { recursive: true });
 await writeFile(join(here, "dist/viewer.html"), page);

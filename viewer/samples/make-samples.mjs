@@ -10,7 +10,7 @@ const template = await readFile(join(here, "../dist/viewer.html"), "utf8");
 await mkdir(out, { recursive: true });
 for (const [name, make] of Object.entries({ ...mechanisms, bareChain: () => mechanisms.chain(8, false) })) {
   const json = JSON.stringify(make()).replaceAll("<", "\\u003c");
-  const page = template.replace('"@dalembert-data@"', () => json);
+  const page = template.replace('type="application/json">', (opening) => opening + json);
   await writeFile(join(out, `${name}.html`), page);
   console.log(`dist/samples/${name}.html  ${(page.length / 1000).toFixed(0)} kB`);
 }

@@ -110,7 +110,7 @@ export function cam() {
   const profile = range(180, (i) => (2 * Math.PI * i) / 180).map((phi) => [radius(phi) * Math.cos(phi), radius(phi) * Math.sin(phi)]);
   const time = times(1, 181);
   const poses = [time.map((t) => [0, 0, 2 * Math.PI * t]), time.map((t) => [0, radius(Math.PI / 2 - 2 * Math.PI * t), 0])];
-  const bodies = [body("cam", poses[0], [shape("polygon", { points: profile }), { ...shape("circle", { radius: 0.014 }), cut: true }]), body("follower", poses[1], [shape("polygon", { points: [[0, 0], [0.012, 0.02], [0.012, 0.16], [-0.012, 0.16], [-0.012, 0.02]] })])];
+  const bodies = [body("cam", poses[0], [shape("polygon", { points: profile })]), body("follower", poses[1], [shape("polygon", { points: [[0, 0], [0.012, 0.02], [0.012, 0.16], [-0.012, 0.16], [-0.012, 0.02]] })])];
   return page("Cam with a knife-edge follower", time, bodies, poses, {
     joints: [
       joint("revolute", "shaft", side("ground", 0, 0), side("cam", 0, 0)),

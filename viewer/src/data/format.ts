@@ -11,10 +11,11 @@ export function formatNumber(value: number): string {
 
 /** A time with as many decimals as the step needs, so that its width does not jump. */
 export function formatTime(time: number, step: number): string {
-  return time.toFixed(decimalsFor(step)).replace(/-/g, "−");
+  const decimals = step > 0 && Number.isFinite(step) ? Math.min(9, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9))) : 3;
+  return time.toFixed(decimals).replace(/-/g, "−");
 }
 
-/** Decimals that resolve the step: 0.01 gives 2, 0.00347 gives 4. */
+/** Decimals with which multiples of the step can be told from each other and read: 0.01 gives 2, 0.25 gives 2. */
 export function decimalsFor(step: number): number {
   if (!(step > 0) || !Number.isFinite(step)) return 3;
   return Math.min(9, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9) + (isRoundStep(step) ? 0 : 1)));

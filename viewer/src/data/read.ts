@@ -6,6 +6,7 @@ export const FORMAT = "dalembert-animation/1";
 
 /** Reads the JSON of a page; throws a `ContractError` that names everything that is wrong. */
 export function readAnimation(text: string): Animation {
+  if (text.trim() === "") throw new ContractError(["There is no animation in this page. The program dalembert puts one in: dalembert view model.toml"]);
   let parsed: unknown;
   try {
     parsed = JSON.parse(text);

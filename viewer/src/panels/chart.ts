@@ -98,7 +98,7 @@ export class Chart {
       series: [
         // Values of another channel are in no order; uPlot then looks at all of them.
         this.x ? { sorted: 0 } : {},
-        ...this.curves.map((curve): uPlot.Series => ({ scale: scaleOf(curve.channel), stroke: curve.color, width: 1.8, dash: [...curve.dash], points: { show: false }, spanGaps: false, ...path })),
+        ...this.curves.map((curve): uPlot.Series => ({ scale: scaleOf(curve.channel), stroke: curve.color, width: 1.8, dash: [...curve.dash], points: { show: false }, spanGaps: false, pxAlign: 0, ...path })),
       ],
     };
   }

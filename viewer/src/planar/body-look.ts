@@ -1,5 +1,5 @@
 import type { Animation, Body, Point2, Vec3 } from "../data/contract";
-import { bodyParts, circle, type Loops, type Part } from "./outline";
+import { bodyParts, circle, type Part } from "./outline";
 
 /** How a body is drawn, in its own frame. */
 export interface BodyLook {
@@ -9,8 +9,8 @@ export interface BodyLook {
   readonly lumps: readonly Point2[];
   /** Points joined by a link where the body has no shape; sorted around their centre if more than two. */
   readonly link: readonly Point2[];
-  /** Curves that joints gave to the body: pitch circles, profiles. */
-  readonly curves: Loops;
+  /** Full circles, whose turning must be made visible. */
+  readonly disks: readonly { readonly x: number; readonly y: number; readonly radius: number }[];
   /** Sliders of a body without shapes: centre and direction of a block. */
   readonly blocks: readonly { readonly at: Point2; readonly direction: Point2 }[];
 }
@@ -25,22 +25,25 @@ export function bodyLook(animation: Animation, body: Body, rollers: ReadonlyMap<
   const curves = attachments.flatMap(({ side }) => (side.outline ? [side.outline] : []));
   const parts = bodyParts(body.shapes);
   const lumps = body.shapes.filter((s) => s.form.kind === "lump").map((s) => [s.position[0], s.position[1]] as const);
-  if (body.shapes.length > 0) return { body, parts, lumps, link: [], curves, blocks: [] };
+  const disks = body.shapes.flatMap(({ form, cut, position: [x, y] }) => (form.kind === "circle" && !cut ? [{ x, y, radius: form.radius }] : []));
+  if (body.shapes.length > 0) return { body, parts, lumps, link: [], disks, blocks: [] };
 
   const roller = rollers.get(body);
   if (curves.length > 0 || roller) {
-    const round: Part[] = roller ? [{ loops: [circle(roller.at[0], roller.at[1], roller.radius)], color: null }] : [];
-    return { body, parts: [...curves.map((loop) => ({ loops: [loop], color: null })), ...round], lumps, link: [], curves: [], blocks: [] };
+    const wheels = roller ? [{ x: roller.at[0], y: roller.at[1], radius: roller.radius }] : [];
+    const loops = [...curves, ...wheels.map(({ x, y, radius }) => circle(x, y, radius))];
+    return { body, parts: loops.map((loop) => ({ loops: [loop], color: null })), lumps, link: [], disks: wheels, blocks: [] };
   }
   const blocks = attachments
     .filter(({ element, side }) => element.kind === "prismatic" && side === element.second && side.direction !== null)
     .map(({ side }) => ({ at: [side.at[0], side.at[1]] as const, direction: [side.direction![0], side.direction![1]] as const }));
-  const points = distinct(attachments.filter(({ element }) => !FORMLESS_KINDS.has(element.kind)).map(({ side }) => side.at));
+  const traced = animation.traces.filter((trace) => trace.body === body).map((trace) => trace.at);
+  const points = distinct([...attachments.filter(({ element }) => !FORMLESS_KINDS.has(element.kind)).map(({ side }) => side.at), ...traced]);
   // One point alone is no link: the origin of the body is the other end.
   const ends = points.length === 1 && blocks.length === 0 ? distinct([[...points[0]!, 0], [0, 0, 0]]) : points;
   const link = ends.length > 2 ? around(ends) : ends;
   // Nothing to draw at all: a dot at the origin.
-  return { body, parts, lumps: link.length < 2 && blocks.length === 0 ? [link[0] ?? [0, 0]] : lumps, link: link.length < 2 ? [] : link, curves, blocks };
+  return { body, parts, lumps: link.length < 2 && blocks.length === 0 ? [link[0] ?? [0, 0]] : lumps, link: link.length < 2 ? [] : link, disks, blocks };
 }
 
 function distinct(points: readonly Vec3[]): Point2[] {

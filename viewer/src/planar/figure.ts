@@ -21,6 +21,8 @@ export interface FigureOptions {
   readonly highlighted: Body | null;
 }
 
+const GROUND_COLOR = "#999999";
+
 /** Symbols stay readable when the picture is zoomed far out or in [pixels]. */
 const SMALLEST_PIN = 2.2;
 const LARGEST_PIN = 14;
@@ -88,14 +90,16 @@ class Drawing {
     const { painter, camera, layout } = this;
     const { theme } = this.options;
     drawGrid(painter, camera, theme);
-    for (const part of layout.groundParts) {
-      painter.path(this.loops(null, part.loops), true, { fill: mix(part.color ?? "#999999", theme.fillBase, theme.fillShare), stroke: theme.quiet, width: 1.2 });
-    }
+    const ground = layout.groundParts.map((part) => ({ loops: this.loops(null, part.loops), fill: mix(part.color ?? GROUND_COLOR, theme.fillBase, theme.fillShare) }));
+    for (const { loops } of ground) painter.path(loops, true, { stroke: theme.quiet, width: 2.4 });
+    for (const { loops, fill } of ground) painter.path(loops, true, { fill });
     for (const guide of layout.guides) if (guide.host === null) this.groundGuide(guide);
     this.supports();
     this.springs();
-    for (const look of layout.looks) this.body(look);
-    for (const guide of layout.guides) if (guide.host !== null) this.movingGuide(guide);
+    for (const look of layout.looks) {
+      this.body(look);
+      for (const guide of layout.guides) if (guide.host === look.body) this.movingGuide(guide, look.body);
+    }
     this.traces();
     this.joints();
     if (this.options.names) for (const look of layout.looks) this.name(look);
@@ -152,19 +156,16 @@ class Drawing {
     if (link.length > 0) painter.path([link], closed, { stroke: own.fill, width: linkWidth, ...(closed ? { fill: own.fill } : {}) });
     for (const block of blocks) painter.path([block], true, { fill: own.fill });
     for (const part of parts) painter.path(part.loops, true, { fill: part.fill });
-    for (const curve of this.loops(body, look.curves)) painter.path([curve], true, { stroke: own.edge, width: 1, dash: [6, 4] });
-    this.turnMark(look);
+    this.turnMarks(look);
     for (const lump of look.lumps) this.symbols.lump(this.screen(body, lump), body.color);
   }
 
   /** A line from the centre of a full circle outwards, without which nobody sees it turn. */
-  private turnMark(look: BodyLook): void {
+  private turnMarks(look: BodyLook): void {
     const { body } = look;
-    for (const shape of body.shapes) {
-      if (shape.form.kind !== "circle" || shape.cut) continue;
-      const [x, y] = shape.position;
-      const marks = [[this.screen(body, [x, y]), this.screen(body, [x + shape.form.radius, y])]];
-      this.painter.path(marks, false, { stroke: this.colors(shape.color ?? body.color).edge, width: 1, opacity: 0.6 });
+    for (const { x, y, radius } of look.disks) {
+      const mark = [this.screen(body, [x, y]), this.screen(body, [x + radius, y])];
+      this.painter.path([mark], false, { stroke: this.colors(body.color).edge, width: 1, opacity: 0.6 });
     }
   }
 
@@ -195,15 +196,15 @@ class Drawing {
     }
   }
 
-  private movingGuide(guide: Guide): void {
-    if (!this.seen(guide.host)) return;
+  private movingGuide(guide: Guide, host: Body): void {
+    if (!this.seen(host)) return;
     if (guide.form === "slot") {
       this.slot(guide);
       return;
     }
     const offsets = guide.form === "rails" ? [guide.left, guide.right] : [0];
     const lines = offsets.map((n) => [this.onGuide(guide, guide.from, n), this.onGuide(guide, guide.to, n)]);
-    this.painter.path(lines, false, { stroke: this.colors(guide.host!.color).edge, width: 1.3 });
+    this.painter.path(lines, false, { stroke: this.colors(host.color).edge, width: 1.3 });
   }
 
   private slot(guide: Guide): void {

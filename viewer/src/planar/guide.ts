@@ -19,6 +19,9 @@ export interface Guide {
   readonly free: 1 | -1;
 }
 
+/** Gap between a body and its rails, in pin radii. */
+const CLEARANCE = 0.2;
+
 /** A body much longer than it is thick runs in a short sleeve instead of between long rails. */
 const SLEEVE_RATIO = 3;
 
@@ -60,7 +63,7 @@ function slide(joint: Joint, parts: ReadonlyMap<Body, readonly Part[]>, frames: 
   const thickness = along && chord(own, at, [-d[1], d[0]]);
   const [back, front] = length ?? [-3 * unit, 3 * unit];
   const [right, left] = thickness ?? [-2 * unit, 2 * unit];
-  const base = { ...run.line, form: "rails" as const, right: run.offset + right, left: run.offset + left, free: 1 as const };
+  const base = { ...run.line, form: "rails" as const, right: run.offset + right - CLEARANCE * unit, left: run.offset + left + CLEARANCE * unit, free: 1 as const };
   // The part of the line that the body covers all the time.
   const covered = [run.to + back, run.from + front] as const;
   if (front - back > SLEEVE_RATIO * (left - right) && covered[1] - covered[0] > 4 * unit) {

@@ -62,14 +62,15 @@ export function layOut(animation: Animation): Layout {
   return { looks, groundParts, guides: lines, traces, unit, bounds };
 }
 
-/** Sliders on the ground lie behind the links that move them. */
+/** Sliders on the ground lie behind the links that move them, slotted bodies behind the pins in their slots. */
 function inDrawingOrder(animation: Animation): readonly Body[] {
-  const slides = (body: Body) => animation.joints.some((j) => j.kind === "prismatic" && j.first.body === null && j.second.body === body);
-  return [...animation.bodies.filter(slides), ...animation.bodies.filter((body) => !slides(body))];
+  const behind = (body: Body) =>
+    animation.joints.some((j) => (j.kind === "prismatic" && j.first.body === null && j.second.body === body) || (j.kind === "pin-slot" && j.first.body === body));
+  return [...animation.bodies.filter(behind), ...animation.bodies.filter((body) => !behind(body))];
 }
 
 function corners(look: BodyLook): readonly Point2[] {
-  return [...look.parts.flatMap((part) => part.loops.flat()), ...look.lumps, ...look.link, ...look.curves.flat(), ...look.blocks.map((b) => b.at)];
+  return [...look.parts.flatMap((part) => part.loops.flat()), ...look.lumps, ...look.link, ...look.blocks.map((b) => b.at)];
 }
 
 /** Pins must show, and must fit into the links that they join. */

@@ -2,6 +2,9 @@ import type { Point2 } from "../data/contract";
 import type { Painter } from "./painter";
 import type { Theme } from "./theme";
 
+/** Supports stay readable where pins may be dots [pixels]. */
+const SMALLEST_SUPPORT = 4;
+
 /** Draws the signs of mechanical drawing; all places and sizes are pixels. */
 export class Symbols {
   constructor(
@@ -29,7 +32,7 @@ export class Symbols {
     this.painter.path([[[x - h, y - h], [x + h, y - h], [x + h, y + h], [x - h, y + h]]], true, { fill: this.theme.ink });
   }
 
-  /** A line of the ground from a to b, hatched on its left side (+1, seen on the screen with y down: right). */
+  /** A line of the ground from a to b, hatched on its right (+1) or left (-1), as seen on the screen. */
   hatched(a: Point2, b: Point2, side: 1 | -1): void {
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (!(length > 0)) return;
@@ -51,7 +54,7 @@ export class Symbols {
 
   /** A pinned support: a triangle below the pin, on hatched ground. */
   support([x, y]: Point2): void {
-    const u = this.unit;
+    const u = Math.max(this.unit, SMALLEST_SUPPORT);
     const base = y + 3.6 * u;
     this.painter.path([[[x, y], [x - 2.3 * u, base], [x + 2.3 * u, base]]], true, { fill: this.theme.background, stroke: this.theme.ink, width: this.line });
     this.hatched([x - 3.5 * u, base], [x + 3.5 * u, base], 1);
@@ -61,8 +64,8 @@ export class Symbols {
   wall([x, y]: Point2, toward: Point2): void {
     const length = Math.hypot(toward[0] - x, toward[1] - y);
     const d: Point2 = length > 0 ? [(toward[0] - x) / length, (toward[1] - y) / length] : [0, -1];
-    const h = 3.4 * this.unit;
-    this.hatched([x - d[1] * h, y + d[0] * h], [x + d[1] * h, y - d[0] * h], 1);
+    const h = 3.4 * Math.max(this.unit, SMALLEST_SUPPORT);
+    this.hatched([x - d[1] * h, y + d[0] * h], [x + d[1] * h, y - d[0] * h], -1);
   }
 
   /** A coil spring as a zigzag with straight ends. */

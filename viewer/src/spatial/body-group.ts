@@ -61,7 +61,7 @@ function rods(animation: Animation, body: Body, color: string, unit: number): (M
 }
 
 export function material(color: string): MeshStandardMaterial {
-  return new MeshStandardMaterial({ color, roughness: 0.75, metalness: 0, side: DoubleSide });
+  return new MeshStandardMaterial({ color: mix(color, "#ffffff", 0.35), roughness: 0.75, metalness: 0, side: DoubleSide });
 }
 
 /** An open line through points, three numbers a point. */

@@ -196,8 +196,8 @@ export class SpatialView implements View {
   private floor(): void {
     const size = this.box.getSize(new Vector3()).length() || 1;
     const cell = roundDown125(size / 6);
-    const count = 2 * Math.ceil(size / cell);
-    const grid = new GridHelper(count * cell, count);
+    const count = 2 * Math.ceil((0.8 * size) / cell);
+    const grid = new GridHelper(count * cell, count, 0xffffff, 0xffffff);
     grid.rotateX(Math.PI / 2);
     const middle = this.box.getCenter(new Vector3());
     grid.position.set(Math.round(middle.x / cell) * cell, Math.round(middle.y / cell) * cell, Math.min(0, this.box.min.z));
