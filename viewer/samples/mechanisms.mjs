@@ -77,9 +77,14 @@ export function fourBar() {
   });
   const poses = [rows.map(({ q }) => [0, 0, q]), rows.map(({ ax, ay, p }) => [ax, ay, p]), rows.map(({ r }) => [ground, 0, r])];
   const coupler = [b / 2, 0.16];
+  const corners = [[0, 0], [b, 0], coupler];
+  const beams = corners.map(([x, y], i) => {
+    const [u, v] = corners[(i + 1) % 3];
+    return shape("bar", { length: Math.hypot(u - x, v - y), width: 0.026 }, (x + u) / 2, (y + v) / 2, Math.atan2(v - y, u - x));
+  });
   const bodies = [
     body("crank", poses[0], [shape("bar", { length: a, width: 0.026 }, a / 2)]),
-    body("coupler", poses[1], [shape("polygon", { points: [[-0.012, -0.014], [b + 0.012, -0.014], [coupler[0] + 0.012, coupler[1] + 0.01], [coupler[0] - 0.012, coupler[1] + 0.01]] }), { ...shape("circle", { radius: 0.03 }, b / 2, 0.05), cut: true }]),
+    body("coupler", poses[1], [shape("polygon", { points: [[0, 0], [b, 0], coupler] }), ...beams, { ...shape("circle", { radius: 0.03 }, b / 2, 0.06), cut: true }]),
     body("rocker", poses[2], [shape("bar", { length: c, width: 0.026 }, c / 2)]),
   ];
   return page("Four-bar linkage with a coupler curve", time, bodies, poses, {
@@ -89,7 +94,7 @@ export function fourBar() {
       joint("revolute", "B", side("coupler", b, 0), side("rocker", c, 0)),
       joint("revolute", "C", side("ground", ground, 0), side("rocker", 0, 0)),
     ],
-    traces: [{ name: "coupler point", body: "coupler", at: [coupler[0], coupler[1] - 0.005, 0] }],
+    traces: [{ name: "coupler point", body: "coupler", at: [...coupler, 0] }],
   });
 }
 
@@ -158,6 +163,36 @@ export function bare() {
       joint("rolling-on-line", "contact", side("ground", 0, -0.2, 0), side("wheel", 0, 0)),
     ],
     springs: [{ name: "spring", kind: "spring-damper", first: side("ground", 0.6, -0.15), second: side("wheel", 0, 0) }],
+  });
+}
+
+/** Joints that the other samples lack: gears, a rack, rods, a weld. */
+export function catalogue() {
+  const time = times(4, 241);
+  const q = time.map((t) => 0.8 * Math.sin((Math.PI * t) / 2));
+  const ring = (radius) => range(60, (i) => [radius * Math.cos((i * Math.PI) / 30), radius * Math.sin((i * Math.PI) / 30)]);
+  const swing = q.map((a) => 0.35 * a);
+  const poses = [
+    q.map((a) => [0, 0, a]),
+    q.map((a) => [0.18, 0, -a / 2]),
+    q.map((a) => [0.06 * a, 0.06, 0]),
+    swing.map((a) => [0.4 + 0.2 * Math.sin(a), 0.1 - 0.2 * Math.cos(a), 0]),
+    swing.map((a) => [0.4 + 0.2 * Math.sin(a) + 0.06, 0.1 - 0.2 * Math.cos(a) - 0.06, 0]),
+  ];
+  const names = ["pinion", "wheel", "rack", "platform", "load"];
+  const sizes = [[], [], [shape("rectangle", { width: 0.3, height: 0.02 }, 0, 0.01)], [shape("rectangle", { width: 0.16, height: 0.02 })], [shape("rectangle", { width: 0.04, height: 0.1 })]];
+  const bodies = poses.map((p, k) => body(names[k], p, sizes[k]));
+  return page("Gears, a rack, rods and a weld", time, bodies, poses, {
+    joints: [
+      joint("revolute", "O", side("ground", 0, 0), side("pinion", 0, 0)),
+      joint("revolute", "P", side("ground", 0.18, 0), side("wheel", 0, 0)),
+      joint("gear", "mesh", { ...side("pinion", 0, 0), outline: ring(0.06) }, { ...side("wheel", 0, 0), outline: ring(0.12) }),
+      joint("rack", "teeth", side("pinion", 0, 0), side("rack", 0, 0, 0)),
+      joint("prismatic", "guide", side("ground", 0, 0.07, 0), side("rack", 0, 0.01, 0)),
+      joint("distance", "rod 1", side("ground", 0.33, 0.1), side("platform", -0.07, 0)),
+      joint("distance", "rod 2", side("ground", 0.47, 0.1), side("platform", 0.07, 0)),
+      joint("weld", "bolt", side("platform", 0.06, 0), side("load", 0, 0.06)),
+    ],
   });
 }
 

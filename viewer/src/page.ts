@@ -100,7 +100,8 @@ export class Page {
   private buttons(): void {
     const { view } = this;
     byId("fit").addEventListener("click", () => view?.fit());
-    byId("traces-choice").hidden = this.animation.traces.length === 0;
+    for (const id of ["fit", "names"]) byId(id).hidden = view === null;
+    byId("traces-choice").hidden = view === null || this.animation.traces.length === 0;
     byId("traces").addEventListener("change", () => this.setTraces(byId<HTMLSelectElement>("traces").value as TraceMode));
     byId("names").addEventListener("click", () => this.setNames(!this.names));
     byId("help-button").addEventListener("click", () => byId<HTMLDialogElement>("help").showModal());

@@ -37,5 +37,5 @@ export function roundDown125(limit: number): number {
 export function formatLength(metres: number): string {
   const size = Math.abs(metres);
   const [factor, unit] = size >= 1000 ? [1e-3, "km"] : size >= 0.99999 ? [1, "m"] : size >= 0.00099999 ? [1e3, "mm"] : [1e6, "µm"];
-  return `${Number((metres * factor).toPrecision(6))} ${unit}`;
+  return `${Number((metres * factor).toPrecision(4))} ${unit}`;
 }

@@ -87,7 +87,7 @@ export class Chart {
     const path = this.x ? { paths: inOrder } : {};
     return {
       ...size,
-      padding: [8, 10, 0, 0],
+      padding: [8, 16, 0, 0],
       scales,
       legend: { show: false },
       cursor: { show: false },

@@ -9,8 +9,8 @@ export interface BodyLook {
   readonly lumps: readonly Point2[];
   /** Points joined by a link where the body has no shape; sorted around their centre if more than two. */
   readonly link: readonly Point2[];
-  /** Full circles, whose turning must be made visible. */
-  readonly disks: readonly { readonly x: number; readonly y: number; readonly radius: number }[];
+  /** Lines on round things, without which nobody sees them turn. */
+  readonly marks: readonly (readonly [Point2, Point2])[];
   /** Sliders of a body without shapes: centre and direction of a block. */
   readonly blocks: readonly { readonly at: Point2; readonly direction: Point2 }[];
 }
@@ -22,17 +22,20 @@ export function bodyLook(animation: Animation, body: Body, rollers: ReadonlyMap<
   const attachments = [...animation.joints, ...animation.springs].flatMap((element) =>
     [element.first, element.second].filter((side) => side.body === body).map((side) => ({ element, side })),
   );
-  const curves = attachments.flatMap(({ side }) => (side.outline ? [side.outline] : []));
+  const curves = attachments.flatMap(({ side }) => (side.outline ? [{ centre: [side.at[0], side.at[1]] as const, outline: side.outline }] : []));
   const parts = bodyParts(body.shapes);
   const lumps = body.shapes.filter((s) => s.form.kind === "lump").map((s) => [s.position[0], s.position[1]] as const);
-  const disks = body.shapes.flatMap(({ form, cut, position: [x, y] }) => (form.kind === "circle" && !cut ? [{ x, y, radius: form.radius }] : []));
-  if (body.shapes.length > 0) return { body, parts, lumps, link: [], disks, blocks: [] };
+  if (body.shapes.length > 0) {
+    const marks = body.shapes.flatMap(({ form, cut, position: [x, y] }) => (form.kind === "circle" && !cut ? [spoke(x, y, form.radius)] : []));
+    return { body, parts, lumps, link: [], marks, blocks: [] };
+  }
 
   const roller = rollers.get(body);
   if (curves.length > 0 || roller) {
-    const wheels = roller ? [{ x: roller.at[0], y: roller.at[1], radius: roller.radius }] : [];
-    const loops = [...curves, ...wheels.map(({ x, y, radius }) => circle(x, y, radius))];
-    return { body, parts: loops.map((loop) => ({ loops: [loop], color: null })), lumps, link: [], disks: wheels, blocks: [] };
+    const wheels = roller && curves.length === 0 ? [{ x: roller.at[0], y: roller.at[1], radius: roller.radius }] : [];
+    const loops = [...curves.map(({ outline }) => outline), ...wheels.map(({ x, y, radius }) => circle(x, y, radius))];
+    const marks = [...curves.map(({ centre, outline }) => [centre, outline[0]!] as const), ...wheels.map(({ x, y, radius }) => spoke(x, y, radius))];
+    return { body, parts: loops.map((loop) => ({ loops: [loop], color: null })), lumps, link: [], marks, blocks: [] };
   }
   const blocks = attachments
     .filter(({ element, side }) => element.kind === "prismatic" && side === element.second && side.direction !== null)
@@ -43,7 +46,11 @@ export function bodyLook(animation: Animation, body: Body, rollers: ReadonlyMap<
   const ends = points.length === 1 && blocks.length === 0 ? distinct([[...points[0]!, 0], [0, 0, 0]]) : points;
   const link = ends.length > 2 ? around(ends) : ends;
   // Nothing to draw at all: a dot at the origin.
-  return { body, parts, lumps: link.length < 2 && blocks.length === 0 ? [link[0] ?? [0, 0]] : lumps, link: link.length < 2 ? [] : link, disks, blocks };
+  return { body, parts, lumps: link.length < 2 && blocks.length === 0 ? [link[0] ?? [0, 0]] : lumps, link: link.length < 2 ? [] : link, marks: [], blocks };
+}
+
+function spoke(x: number, y: number, radius: number): readonly [Point2, Point2] {
+  return [[x, y], [x + radius, y]];
 }
 
 function distinct(points: readonly Vec3[]): Point2[] {

@@ -21,6 +21,9 @@ export interface FigureOptions {
   readonly highlighted: Body | null;
 }
 
+/** Mean height of the direction to a body that counts as hanging. */
+const HANGING = -0.6;
+
 const GROUND_COLOR = "#999999";
 
 /** Symbols stay readable when the picture is zoomed far out or in [pixels]. */
@@ -156,17 +159,8 @@ class Drawing {
     if (link.length > 0) painter.path([link], closed, { stroke: own.fill, width: linkWidth, ...(closed ? { fill: own.fill } : {}) });
     for (const block of blocks) painter.path([block], true, { fill: own.fill });
     for (const part of parts) painter.path(part.loops, true, { fill: part.fill });
-    this.turnMarks(look);
+    painter.path(this.loops(body, look.marks), false, { stroke: own.edge, width: 1, opacity: 0.6 });
     for (const lump of look.lumps) this.symbols.lump(this.screen(body, lump), body.color);
-  }
-
-  /** A line from the centre of a full circle outwards, without which nobody sees it turn. */
-  private turnMarks(look: BodyLook): void {
-    const { body } = look;
-    for (const { x, y, radius } of look.disks) {
-      const mark = [this.screen(body, [x, y]), this.screen(body, [x + radius, y])];
-      this.painter.path([mark], false, { stroke: this.colors(body.color).edge, width: 1, opacity: 0.6 });
-    }
   }
 
   private block(body: Body, { at, direction }: { at: Point2; direction: Point2 }): Point2[] {
@@ -214,30 +208,12 @@ class Drawing {
     this.painter.path([line], false, { stroke: this.options.theme.background, width: 3 * this.unit });
   }
 
-  /** What stands on the ground: pins on supports, springs and rods on walls. */
   private supports(): void {
-    const done = new Set<string>();
-    const once = (at: Vec2Key, draw: () => void) => {
-      const key = `${at[0]},${at[1]}`;
-      if (!done.has(key)) draw();
-      done.add(key);
-    };
-    for (const joint of this.animation.joints) {
-      for (const side of [joint.first, joint.second]) {
-        if (side.body !== null) continue;
-        const at = this.point(side);
-        if (joint.kind === "revolute" || joint.kind === "distance") once(side.at, () => this.symbols.support(at));
-        else if (joint.kind === "weld") once(side.at, () => this.symbols.wall(at, [at[0], at[1] - 1]));
-      }
-    }
-    for (const spring of this.animation.springs) {
-      for (const [side, other] of [[spring.first, spring.second], [spring.second, spring.first]] as const) {
-        // The wall keeps the direction that it had at the start.
-        if (side.body === null) {
-          const toward = this.camera.toScreen(toGround(planarPose(other.body, { index: 0, share: 0 }), other.at[0], other.at[1]));
-          once(side.at, () => this.symbols.wall(this.point(side), toward));
-        }
-      }
+    for (const { at, form, toward } of this.layout.supports) {
+      const point = this.camera.toScreen(at);
+      // What hangs below its pin hangs from a ceiling.
+      if (form === "pin") this.symbols.support(point, toward[1] < HANGING ? -1 : 1);
+      else this.symbols.wall(point, [point[0] + toward[0], point[1] - toward[1]]);
     }
   }
 
@@ -294,5 +270,3 @@ class Drawing {
     this.painter.text([middle(0), middle(1)], look.body.name, { color: this.colors(look.body.color).edge, size: 13, align: "center", bold: true, halo: theme.background });
   }
 }
-
-type Vec2Key = readonly [number, number, ...number[]];

@@ -5,12 +5,14 @@ import { bodyLook, type BodyLook } from "./body-look";
 import { Bounds } from "./bounds";
 import { guides, rollers, type Guide } from "./guide";
 import { bodyParts, type Part } from "./outline";
+import { supports, type Support } from "./support";
 
 /** Everything about the figure that does not change with time. */
 export interface Layout {
   readonly looks: readonly BodyLook[];
   readonly groundParts: readonly Part[];
   readonly guides: readonly Guide[];
+  readonly supports: readonly Support[];
   readonly traces: readonly { readonly trace: Trace; readonly points: readonly Point2[] }[];
   /** Radius of a pin [m]; every symbol is a multiple of it. */
   readonly unit: number;
@@ -59,7 +61,8 @@ export function layOut(animation: Animation): Layout {
       }
     }
   }
-  return { looks, groundParts, guides: lines, traces, unit, bounds };
+  const centres = new Map<Body, Point2>(looks.map((look) => [look.body, centre(corners(look))]));
+  return { looks, groundParts, guides: lines, supports: supports(animation, centres, frames), traces, unit, bounds };
 }
 
 /** Sliders on the ground lie behind the links that move them, slotted bodies behind the pins in their slots. */
@@ -67,6 +70,11 @@ function inDrawingOrder(animation: Animation): readonly Body[] {
   const behind = (body: Body) =>
     animation.joints.some((j) => (j.kind === "prismatic" && j.first.body === null && j.second.body === body) || (j.kind === "pin-slot" && j.first.body === body));
   return [...animation.bodies.filter(behind), ...animation.bodies.filter((body) => !behind(body))];
+}
+
+function centre(points: readonly Point2[]): Point2 {
+  const box = new Bounds().addAll(points);
+  return box.empty ? [0, 0] : [(box.xMin + box.xMax) / 2, (box.yMin + box.yMax) / 2];
 }
 
 function corners(look: BodyLook): readonly Point2[] {

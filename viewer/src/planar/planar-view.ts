@@ -1,5 +1,5 @@
 import type { Animation, Body, Point2 } from "../data/contract";
-import { formatLength, formatNumber } from "../data/format";
+import { formatLength } from "../data/format";
 import { make } from "../dom";
 import type { Frame } from "../motion/frame";
 import { planarAngle, planarPose } from "../motion/pose";
@@ -121,7 +121,7 @@ export class PlanarView implements View {
     const degrees = (planarAngle(pose) * 180) / Math.PI;
     this.tooltip.replaceChildren(
       make("strong", "", body.name),
-      make("span", "", `x ${formatLength(pose.x)}, y ${formatLength(pose.y)}, angle ${formatNumber(Number(degrees.toFixed(2)))}°`.replace(/-/g, "−")),
+      make("span", "", `x ${formatLength(pose.x)}, y ${formatLength(pose.y)}, angle ${degrees.toFixed(2)}°`.replace(/-/g, "−")),
     );
     const { offsetWidth, offsetHeight } = this.tooltip;
     this.tooltip.style.left = `${Math.max(4, Math.min(at[0] + 14, this.camera.width - offsetWidth - 4))}px`;

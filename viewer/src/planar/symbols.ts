@@ -52,12 +52,12 @@ export class Symbols {
     this.painter.path([[a, b]], false, { stroke: this.theme.ink, width: this.line });
   }
 
-  /** A pinned support: a triangle below the pin, on hatched ground. */
-  support([x, y]: Point2): void {
+  /** A pinned support: a triangle below the pin (side 1) or above it (side -1), on hatched ground. */
+  support([x, y]: Point2, side: 1 | -1): void {
     const u = Math.max(this.unit, SMALLEST_SUPPORT);
-    const base = y + 3.6 * u;
+    const base = y + side * 3.6 * u;
     this.painter.path([[[x, y], [x - 2.3 * u, base], [x + 2.3 * u, base]]], true, { fill: this.theme.background, stroke: this.theme.ink, width: this.line });
-    this.hatched([x - 3.5 * u, base], [x + 3.5 * u, base], 1);
+    this.hatched([x - 3.5 * u, base], [x + 3.5 * u, base], side);
   }
 
   /** A wall that faces the direction, through the point. */

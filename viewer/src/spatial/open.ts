@@ -8,7 +8,7 @@ export function openSpatialView(animation: Animation, host: HTMLElement, redraw:
   try {
     return new SpatialView(animation, host, redraw);
   } catch (error) {
-    showMessage("This browser cannot draw in space", [
+    showMessage("This browser cannot draw in three dimensions", [
       "The picture needs WebGL, which is switched off or missing here. Switch on hardware acceleration, or open the page in another browser. The plots and the summary work all the same.",
       error instanceof Error ? error.message : String(error),
     ]);
