@@ -20,7 +20,7 @@ async function bundle(entry) {
     charset: "utf8",
     legalComments: "none",
     logLevel: "warning",
-  });
+  }).catch(() => process.exit(1)); // esbuild has said why
   return result.outputFiles[0].text.trim();
 }
 

@@ -20,8 +20,11 @@ const SOURCES: [&str; 6] = [
     "src",
 ];
 
-const HELP: &str = "The animated page needs npm (part of Node.js 18 or newer, https://nodejs.org). \
-    Install it, or build the program without the page: cargo build --no-default-features";
+const NO_NPM: &str = "npm was not found. The animated page needs it: \
+    install Node.js 18 or newer (https://nodejs.org), of which npm is a part.";
+
+const WITHOUT: &str =
+    "To build the program without the animated page: cargo build --no-default-features";
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
@@ -32,7 +35,7 @@ fn main() {
         for line in error.to_string().lines() {
             println!("cargo::error={line}");
         }
-        println!("cargo::error={HELP}");
+        println!("cargo::error={WITHOUT}");
         exit(1);
     }
 }
@@ -84,7 +87,7 @@ fn npm(work: &Path, arguments: &[&str]) -> Result<(), Box<dyn Error>> {
         .current_dir(work)
         .output()
         .map_err(|error| match error.kind() {
-            io::ErrorKind::NotFound => "npm was not found.".to_owned(),
+            io::ErrorKind::NotFound => NO_NPM.to_owned(),
             _ => format!("cannot run {command}: {error}"),
         })?;
     if output.status.success() {

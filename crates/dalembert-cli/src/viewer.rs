@@ -44,7 +44,12 @@ mod tests {
         let place = r#"<script id="dalembert-data" type="application/json"></script>"#;
         assert_eq!(page.matches(place).count(), 1);
         assert!(page.contains("default-src 'none'"));
-        for request in ["<link rel=\"stylesheet\"", "<script src", "@import", "url(http"] {
+        for request in [
+            "<link rel=\"stylesheet\"",
+            "<script src",
+            "@import",
+            "url(http",
+        ] {
             assert!(!page.contains(request), "the page contains {request}");
         }
     }

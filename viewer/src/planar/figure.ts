@@ -6,7 +6,7 @@ import type { BodyLook } from "./body-look";
 import type { Camera } from "./camera";
 import { drawGrid, drawScale } from "./grid";
 import type { Guide } from "./guide";
-import { layOut, type Layout } from "./layout";
+import { layOut, lookCentre, type Layout } from "./layout";
 import { inside } from "./outline";
 import type { Painter } from "./painter";
 import { Symbols } from "./symbols";
@@ -263,10 +263,7 @@ class Drawing {
 
   private name(look: BodyLook): void {
     if (!this.seen(look.body)) return;
-    const corners = [...look.parts.flatMap((part) => part.loops.flat()), ...look.link, ...look.lumps, ...look.blocks.map((b) => b.at)].map((p) => this.screen(look.body, p));
-    if (corners.length === 0) return;
-    const middle = (i: 0 | 1) => (Math.min(...corners.map((p) => p[i])) + Math.max(...corners.map((p) => p[i]))) / 2;
     const { theme } = this.options;
-    this.painter.text([middle(0), middle(1)], look.body.name, { color: this.colors(look.body.color).edge, size: 13, align: "center", bold: true, halo: theme.background });
+    this.painter.text(this.screen(look.body, lookCentre(look)), look.body.name, { color: this.colors(look.body.color).edge, size: 13, align: "center", bold: true, halo: theme.background });
   }
 }

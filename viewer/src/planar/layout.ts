@@ -61,7 +61,7 @@ export function layOut(animation: Animation): Layout {
       }
     }
   }
-  const centres = new Map<Body, Point2>(looks.map((look) => [look.body, centre(corners(look))]));
+  const centres = new Map<Body, Point2>(looks.map((look) => [look.body, lookCentre(look)]));
   return { looks, groundParts, guides: lines, supports: supports(animation, centres, frames), traces, unit, bounds };
 }
 
@@ -72,8 +72,9 @@ function inDrawingOrder(animation: Animation): readonly Body[] {
   return [...animation.bodies.filter(behind), ...animation.bodies.filter((body) => !behind(body))];
 }
 
-function centre(points: readonly Point2[]): Point2 {
-  const box = new Bounds().addAll(points);
+/** Middle of what is drawn of a body, in its own frame. */
+export function lookCentre(look: BodyLook): Point2 {
+  const box = new Bounds().addAll(corners(look));
   return box.empty ? [0, 0] : [(box.xMin + box.xMax) / 2, (box.yMin + box.yMax) / 2];
 }
 
