@@ -9,8 +9,7 @@ function start(): void {
   try {
     new Page(readAnimation(text));
   } catch (error) {
-    byId("player").hidden = true;
-    byId("panel").hidden = true;
+    document.body.classList.add("failed");
     if (error instanceof ContractError) showMessage("This page cannot show its data", error.problems);
     else {
       showMessage("This page failed", [error instanceof Error ? error.message : String(error)]);
