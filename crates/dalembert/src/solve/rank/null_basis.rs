@@ -16,6 +16,9 @@ pub fn null_basis_lu(
     partition: &Partition,
 ) -> Result<DMatrix<f64>, RankError> {
     let scaled = Scaled::new(c, column_scale)?;
+    if partition.rows.is_empty() {
+        return Ok(DMatrix::identity(c.ncols(), c.ncols()));
+    }
     let rows = scaled.matrix.select_rows(&partition.rows);
     let dependent = rows.select_columns(&partition.dependent);
     let right = -rows.select_columns(&partition.independent);

@@ -119,5 +119,10 @@ fn condition(scaled: &Scaled, rows: &[usize], columns: &[usize]) -> Result<f64, 
     }
     let block = scaled.matrix.select_rows(rows).select_columns(columns);
     let values = Svd::new(&block)?.values;
-    Ok(values[0] / values[values.len() - 1])
+    let smallest = values.last().copied().unwrap_or(0.0);
+    Ok(if smallest > 0.0 {
+        values[0] / smallest
+    } else {
+        f64::INFINITY
+    })
 }

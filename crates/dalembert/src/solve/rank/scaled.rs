@@ -125,3 +125,46 @@ pub(in crate::solve) fn to_faer(matrix: &DMatrix<f64>) -> Mat<f64> {
 pub(in crate::solve) fn from_faer(matrix: faer::MatRef<'_, f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shabana_example_2_20_singular_values_and_vectors() {
+        // Shabana, Computational Dynamics, example 2.20 (the printed Q1(1,1) = -.5515 has two digits exchanged).
+        let a = DMatrix::from_row_slice(3, 2, &[2.0, 1.0, 1.0, 0.0, 1.0, 0.0]);
+        let svd = Svd::new(&a).unwrap();
+        assert!((svd.values[0] - 2.588_737_553_078_029).abs() < 1e-14);
+        assert!((svd.values[1] - 0.546_294_683_557_853_9).abs() < 1e-14);
+        // Largest first: the book's columns in the opposite order.
+        let q1 = [
+            [0.856_890_099_623_580_1, 0.364_512_933_355_656_7],
+            [-0.515_499_134_011_969_8, 0.605_912_800_175_449_8],
+        ];
+        for (k, column) in q1.iter().enumerate() {
+            let sign = (svd.u[(0, k)] * column[0]).signum();
+            assert!((svd.u[(0, k)] * sign - column[0]).abs() < 1e-14);
+            assert!((svd.u[(1, k)] * sign - column[1]).abs() < 1e-14);
+            assert!((svd.u[(2, k)] * sign - column[1]).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn hilbert_matrices_have_their_known_condition() {
+        // Shabana, Computational Dynamics, section 2.6; condition numbers recomputed with rational arithmetic.
+        for (n, condition) in [
+            (3, 524.056_777_586_062_7),
+            (5, 476_607.250_241_933_8),
+            (8, 15_257_575_563.722_723),
+        ] {
+            let svd = Svd::new(&DMatrix::from_fn(n, n, |i, j| 1.0 / (i + j + 1) as f64)).unwrap();
+            let found = svd.values[0] / svd.values[n - 1];
+            // The smallest singular value carries the rounding of the largest one.
+            assert!(
+                (found / condition - 1.0).abs() < 1e-15 * condition + 1e-14,
+                "{n}: {found:e}"
+            );
+        }
+    }
+}
