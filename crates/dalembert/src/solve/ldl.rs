@@ -1,6 +1,6 @@
 //! Block-sparse LDL^T of the reduced system, without pivoting, on a fixed pattern.
 
-use super::kernel::{Fixed, Size, add_apply, add_apply_transposed, add_product, with_size};
+use super::kernel::{Size, add_apply, add_apply_transposed, add_product, with_size};
 use super::order::Elimination;
 use super::pattern::Pattern;
 
@@ -121,22 +121,16 @@ impl BlockLdl {
         }
     }
 
-    /// Factors the matrix that was filled in; rows whose `initial` diagonal is not above `zero` are left out.
-    pub fn factor(&mut self, initial: &[f64], zero: f64, floor: Floor) {
+    /// Factors the matrix that was filled in. `weight` is one over the initial diagonal; rows where it is zero are
+    /// left out.
+    pub fn factor(&mut self, weight: &[f64], floor: Floor) {
         for k in 0..self.size.len() {
-            with_size!(self.size[k], n => self.factor_column(k, n, initial, zero, floor));
+            with_size!(self.size[k], n => self.factor_column(k, n, weight, floor));
         }
     }
 
     #[inline(always)]
-    fn factor_column<N: Size>(
-        &mut self,
-        k: usize,
-        size: N,
-        initial: &[f64],
-        zero: f64,
-        floor: Floor,
-    ) {
+    fn factor_column<N: Size>(&mut self, k: usize, size: N, weight: &[f64], floor: Floor) {
         let n = size.get();
         let row = self.row[k];
         let (done, later) = self.values.split_at_mut(self.diagonal[k + 1]);
@@ -144,21 +138,14 @@ impl BlockLdl {
         let (diagonal, below) = done[self.diagonal[k]..].split_at_mut(n * n);
         let inverse = &mut self.inverse_pivot[row..row + n];
         let ratio = &mut self.ratio[row..row + n];
-        let initial = &initial[row..row + n];
+        let weight = &weight[row..row + n];
         for j in 0..n {
-            let mut pivot = diagonal[j * n + j];
-            ratio[j] = if initial[j] > zero {
-                pivot / initial[j]
-            } else {
-                0.0
-            };
+            let pivot = diagonal[j * n + j];
+            ratio[j] = pivot * weight[j];
             inverse[j] = match floor {
-                _ if initial[j] <= zero => 0.0,
+                _ if weight[j] == 0.0 => 0.0,
                 Floor::Drop(least) if ratio[j] <= least => 0.0,
-                Floor::Lift(least) if ratio[j] <= least => {
-                    pivot = least * initial[j];
-                    1.0 / pivot
-                }
+                Floor::Lift(least) if ratio[j] <= least => weight[j] / least,
                 _ => 1.0 / pivot,
             };
             for i in j + 1..n {
@@ -224,53 +211,60 @@ impl BlockLdl {
 
     /// Solves with the factor: right-hand side in, solution out.
     pub fn solve(&mut self, x: &mut [f64]) {
+        let mut spare = std::mem::take(&mut self.local);
         for k in 0..self.size.len() {
-            with_size!(self.size[k], n => self.forward(k, n, x));
+            with_size!(self.size[k], n => n.with_array(&mut spare, |local| self.forward(k, n, x, local)));
         }
         for k in (0..self.size.len()).rev() {
-            with_size!(self.size[k], n => self.backward(k, n, x));
+            with_size!(self.size[k], n => n.with_array(&mut spare, |local| self.backward(k, n, x, local)));
         }
+        self.local = spare;
     }
 
     #[inline(always)]
-    fn forward<N: Size>(&mut self, k: usize, size: N, x: &mut [f64]) {
+    fn forward<N: Size>(&self, k: usize, size: N, x: &mut [f64], local: &mut [f64]) {
         let n = size.get();
-        let row = self.row[k];
+        let local = &mut local[..n];
+        let own = &mut x[self.row[k]..][..n];
         let diagonal = &self.values[self.diagonal[k]..][..n * n];
-        let local = &mut self.local[..n];
-        local.copy_from_slice(&x[row..row + n]);
         for i in 0..n {
+            let mut sum = own[i];
             for j in 0..i {
-                local[i] -= diagonal[i * n + j] * local[j];
+                sum -= diagonal[i * n + j] * local[j];
             }
+            local[i] = sum;
+            own[i] = sum;
         }
-        x[row..row + n].copy_from_slice(local);
         for at in self.elimination.start[k]..self.elimination.start[k + 1] {
             let i = self.elimination.below[at];
             let target = &mut x[self.row[i]..];
             let block = &self.values[self.offset[at]..];
-            match self.size[i] {
-                2 => add_apply((Fixed::<2>, size), -1.0, target, block, local),
-                height => add_apply((height, size), -1.0, target, block, local),
+            if self.size[i] == n {
+                add_apply((size, size), -1.0, target, block, local);
+            } else {
+                add_apply((self.size[i], size), -1.0, target, block, local);
             }
         }
     }
 
     #[inline(always)]
-    fn backward<N: Size>(&mut self, k: usize, size: N, x: &mut [f64]) {
+    fn backward<N: Size>(&self, k: usize, size: N, x: &mut [f64], local: &mut [f64]) {
         let n = size.get();
         let row = self.row[k];
-        let local = &mut self.local[..n];
+        let local = &mut local[..n];
+        let inverse = &self.inverse_pivot[row..][..n];
+        let own = &x[row..][..n];
         for i in 0..n {
-            local[i] = x[row + i] * self.inverse_pivot[row + i];
+            local[i] = own[i] * inverse[i];
         }
         for at in self.elimination.start[k]..self.elimination.start[k + 1] {
             let i = self.elimination.below[at];
             let source = &x[self.row[i]..];
             let block = &self.values[self.offset[at]..];
-            match self.size[i] {
-                2 => add_apply_transposed((Fixed::<2>, size), -1.0, local, block, source),
-                height => add_apply_transposed((height, size), -1.0, local, block, source),
+            if self.size[i] == n {
+                add_apply_transposed((size, size), -1.0, local, block, source);
+            } else {
+                add_apply_transposed((self.size[i], size), -1.0, local, block, source);
             }
         }
         let diagonal = &self.values[self.diagonal[k]..][..n * n];
@@ -279,6 +273,6 @@ impl BlockLdl {
                 local[j] -= diagonal[i * n + j] * local[i];
             }
         }
-        x[row..row + n].copy_from_slice(local);
+        x[row..][..n].copy_from_slice(local);
     }
 }

@@ -21,8 +21,11 @@ const ZERO_ROW: f64 = 1e-24;
 /// One product `W_a J_b^T` that goes into a block of the reduced matrix.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
-    row: usize,
-    column: usize,
+    /// Where the block of the rows starts in the Jacobian's values, and its rows.
+    row: (usize, usize),
+    /// The same for the columns.
+    column: (usize, usize),
+    /// Where the product goes.
     target: usize,
 }
 
@@ -53,11 +56,15 @@ pub struct Saddle {
     pub(super) w: Vec<f64>,
     /// Diagonal of S before regularization, for turned rows.
     diagonal: Vec<f64>,
+    /// One over that diagonal; zero for rows without gradient.
+    turned_weight: Vec<f64>,
     /// One over the diagonal of S of the original rows; zero for rows without gradient.
     pub(super) row_weight: Vec<f64>,
     /// The same for the columns of the auxiliary Jacobian.
     pub(super) aux_weight: Vec<f64>,
     pivot_ratio: Vec<f64>,
+    smallest: f64,
+    largest: f64,
     vanished: Vec<usize>,
     zero: Vec<usize>,
     pub(super) work: super::refine::Work,
@@ -82,9 +89,12 @@ impl Saddle {
             turned: vec![0.0; if auxiliaries.is_empty() { 0 } else { jac_len }],
             w: vec![0.0; jac_len],
             diagonal: vec![0.0; rows],
+            turned_weight: vec![0.0; rows],
             row_weight: vec![0.0; rows],
             aux_weight: vec![0.0; pattern.aux()],
             pivot_ratio: vec![0.0; rows],
+            smallest: 1.0,
+            largest: 1.0,
             vanished: Vec::with_capacity(rows),
             zero: Vec::with_capacity(rows),
             work: super::refine::Work::new(&pattern),
@@ -170,41 +180,38 @@ impl Saddle {
         with_dof!(dof, dof => self.multiply_mass(dof));
         self.assemble();
         self.ldl.copy_diagonal(&mut self.diagonal);
-        let largest = self.diagonal.iter().copied().fold(0.0, f64::max);
+        let largest = self.diagonal.iter().fold(
+            0.0,
+            |largest: f64, &x| if x > largest { x } else { largest },
+        );
         let zero = ZERO_ROW * largest;
+        for (to, &diagonal) in self.turned_weight.iter_mut().zip(&self.diagonal) {
+            *to = if diagonal <= zero {
+                0.0
+            } else {
+                1.0 / diagonal
+            };
+        }
         self.weigh_rows(zero);
         self.ldl
-            .factor(&self.diagonal, zero, Floor::Drop(self.tolerance));
-        self.pivot_ratio.copy_from_slice(&self.ldl.ratio);
-        self.classify(zero);
+            .factor(&self.turned_weight, Floor::Drop(self.tolerance));
+        std::mem::swap(&mut self.pivot_ratio, &mut self.ldl.ratio);
+        self.classify();
         if !self.vanished.is_empty() {
             self.assemble();
             self.ldl.lift_diagonal(REGULARIZATION);
             self.ldl
-                .factor(&self.diagonal, zero, Floor::Lift(0.1 * REGULARIZATION));
+                .factor(&self.turned_weight, Floor::Lift(0.1 * REGULARIZATION));
         }
         self.factored()
     }
 
     /// The report of the last factorization.
     pub fn factored(&self) -> Factored<'_> {
-        let kept = |ratio: &&f64| **ratio > self.tolerance;
-        let smallest = self
-            .pivot_ratio
-            .iter()
-            .filter(kept)
-            .copied()
-            .reduce(f64::min);
-        let largest = self
-            .pivot_ratio
-            .iter()
-            .filter(kept)
-            .copied()
-            .reduce(f64::max);
         Factored {
             pivot_ratio: &self.pivot_ratio,
-            smallest: smallest.unwrap_or(1.0),
-            largest: largest.unwrap_or(1.0),
+            smallest: self.smallest,
+            largest: self.largest,
             vanished: &self.vanished,
             zero: &self.zero,
             tolerance: self.tolerance,
@@ -238,10 +245,9 @@ impl Saddle {
         };
         for block in &self.pattern.incidences {
             let inverse = &self.mass_inverse[block.body * n * n..][..n * n];
-            let source = &jac[block.jac..][..block.rows * n];
-            let target = &mut self.w[block.jac..][..block.rows * n];
-            for row in 0..block.rows {
-                let (from, to) = (&source[row * n..][..n], &mut target[row * n..][..n]);
+            let source = jac[block.jac..][..block.rows * n].chunks_exact(n.max(1));
+            let target = self.w[block.jac..][..block.rows * n].chunks_exact_mut(n.max(1));
+            for (from, to) in source.zip(target) {
                 for c in 0..n {
                     let mut sum = 0.0;
                     for k in 0..n {
@@ -255,23 +261,25 @@ impl Saddle {
 
     /// Fills the reduced matrix `S = J M^-1 J^T`.
     fn assemble(&mut self) {
-        self.ldl.values_mut().fill(0.0);
-        let dof = self.pattern.shape().dof;
+        with_dof!(self.pattern.shape().dof, dof => self.assemble_sized(dof));
+    }
+
+    fn assemble_sized<D: Size>(&mut self, dof: D) {
         let jac = if self.auxiliaries.is_empty() {
             &self.jac
         } else {
             &self.turned
         };
-        let incidences = &self.pattern.incidences;
         let values = self.ldl.values_mut();
+        values.fill(0.0);
         for pair in &self.pairs {
-            let (a, b) = (incidences[pair.row], incidences[pair.column]);
+            let (a, b) = (&self.w[pair.row.0..], &jac[pair.column.0..]);
             add_product(
-                (a.rows, b.rows, dof),
+                (pair.row.1, pair.column.1, dof),
                 1.0,
                 &mut values[pair.target..],
-                &self.w[a.jac..],
-                &jac[b.jac..],
+                a,
+                b,
             );
         }
     }
@@ -279,9 +287,7 @@ impl Saddle {
     /// Finds the weights that make residuals of rows and auxiliaries comparable.
     fn weigh_rows(&mut self, zero: f64) {
         let weight = |diagonal: f64| if diagonal > zero { 1.0 / diagonal } else { 0.0 };
-        for (to, &diagonal) in self.row_weight.iter_mut().zip(&self.diagonal) {
-            *to = weight(diagonal);
-        }
+        self.row_weight.copy_from_slice(&self.turned_weight);
         let n = self.pattern.shape().dof;
         for aux in &self.auxiliaries {
             // The diagonal holds turned rows here: take that of the original ones.
@@ -319,37 +325,57 @@ impl Saddle {
         }
     }
 
-    /// Lists the rows that vanished or have no gradient.
-    fn classify(&mut self, zero: f64) {
+    /// Sorts the rows into kept, vanished and without gradient.
+    fn classify(&mut self) {
         self.vanished.clear();
         self.zero.clear();
-        let mut auxiliaries = self.auxiliaries.iter().peekable();
-        for row in 0..self.pivot_ratio.len() {
-            while auxiliaries
-                .peek()
-                .is_some_and(|aux| aux.row + aux.rows <= row)
-            {
-                auxiliaries.next();
-            }
-            let owner = auxiliaries.peek().filter(|aux| aux.row <= row);
-            if owner.is_some_and(|aux| row < aux.row + aux.rank) {
-                // This turned row determines an auxiliary: no constraint of the bodies, and not redundant.
-                self.pivot_ratio[row] = 1.0;
-            } else if self.diagonal[row] <= zero {
-                let named = owner
-                    .and_then(|aux| aux.heaviest_row(row, &self.zero))
-                    .unwrap_or(row);
-                self.zero.push(named);
-            } else if self.pivot_ratio[row] <= self.tolerance {
-                let named = owner
-                    .and_then(|aux| aux.heaviest_row(row, &self.vanished))
-                    .unwrap_or(row);
-                self.vanished.push(named);
-            }
+        (self.smallest, self.largest) = (f64::INFINITY, 0.0);
+        let mut first = 0;
+        for number in 0..self.auxiliaries.len() {
+            let aux = &self.auxiliaries[number];
+            let (row, rank, rows) = (aux.row, aux.rank, aux.rows);
+            self.classify_rows(first, row, None);
+            // The first turned rows determine auxiliaries: no constraint of the bodies, and not redundant.
+            self.pivot_ratio[row..row + rank].fill(1.0);
+            first = row + rows;
+            self.classify_rows(row + rank, first, Some(number));
+        }
+        self.classify_rows(first, self.pivot_ratio.len(), None);
+        if self.smallest > self.largest {
+            (self.smallest, self.largest) = (1.0, 1.0);
         }
         if !self.auxiliaries.is_empty() {
             self.zero.sort_unstable();
             self.vanished.sort_unstable();
+        }
+    }
+
+    fn classify_rows(&mut self, first: usize, end: usize, aux: Option<usize>) {
+        let aux = aux.map(|number| &self.auxiliaries[number]);
+        for row in first..end {
+            let ratio = self.pivot_ratio[row];
+            if ratio > self.tolerance {
+                self.smallest = if ratio < self.smallest {
+                    ratio
+                } else {
+                    self.smallest
+                };
+                self.largest = if ratio > self.largest {
+                    ratio
+                } else {
+                    self.largest
+                };
+                continue;
+            }
+            let list = if self.turned_weight[row] == 0.0 {
+                &mut self.zero
+            } else {
+                &mut self.vanished
+            };
+            let named = aux
+                .and_then(|aux| aux.heaviest_row(row, list))
+                .unwrap_or(row);
+            list.push(named);
         }
     }
 }
@@ -366,10 +392,11 @@ fn pairs(pattern: &Pattern, ldl: &BlockLdl) -> Vec<Pair> {
         for (at, &first) in list.iter().enumerate() {
             for &second in &list[at..] {
                 let (target, upright) = ldl.block(element(first).element, element(second).element);
+                let side = |number: usize| (element(number).jac, element(number).rows);
                 let (row, column) = if upright {
-                    (first, second)
+                    (side(first), side(second))
                 } else {
-                    (second, first)
+                    (side(second), side(first))
                 };
                 pairs.push(Pair {
                     row,
