@@ -2,7 +2,7 @@
 
 use crate::check;
 use crate::emit;
-use crate::error::{ExprError, Fault};
+use crate::error::{ExprError, Fault, MOST_ERRORS};
 use crate::program::{DEEPEST, Program};
 use crate::scope::Scope;
 use crate::syntax::parser;
@@ -27,6 +27,7 @@ pub fn compile(
             errors.extend(more);
         }
         errors.sort_by_key(|error| (error.span.start, error.span.end));
+        errors.truncate(MOST_ERRORS);
         return Err(errors);
     }
     let known = check::check(text, &tree, scope, expected)?;

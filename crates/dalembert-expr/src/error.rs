@@ -28,6 +28,17 @@ impl ExprError {
     }
 }
 
+/// How many mistakes of a text are told.
+pub(crate) const MOST_ERRORS: usize = 20;
+
+/// A part of a text as a message quotes it: its beginning, if it is long.
+pub(crate) fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        None => text.to_owned(),
+        Some((cut, _)) => format!("{}...", &text[..cut]),
+    }
+}
+
 /// Every mistake that is recognised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(crate) enum Fault {
