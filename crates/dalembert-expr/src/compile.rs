@@ -63,6 +63,9 @@ pub fn parse_unit(text: &str) -> Result<Unit, Vec<ExprError>> {
 pub type NamePlace = (Vec<String>, Range<usize>);
 
 /// The variables in a text with their places, in order; constants of the language left out.
+///
+/// It is meant for the order in which parameters depend on each other. Where the text is wrong,
+/// [`compile`] says it better, because it knows the names.
 pub fn names(text: &str) -> Result<Vec<NamePlace>, Vec<ExprError>> {
     let (tree, errors) = parser::parse(text, None);
     if !errors.is_empty() {

@@ -67,6 +67,7 @@ fn every_mistake_has_its_code_and_place() {
         ("1/0", "division-by-zero", 0, 3),
         ("crank/ratio", "division-by-zero", 0, 11),
         ("t/(1 - 1)", "division-by-zero", 0, 9),
+        ("mod(t, 0)", "division-by-zero", 0, 9),
         ("ln(-1)", "not-finite", 0, 6),
         ("1e999", "not-finite", 0, 5),
         ("10^400", "not-finite", 0, 6),

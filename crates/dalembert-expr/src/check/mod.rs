@@ -263,6 +263,10 @@ impl Checker<'_> {
             }
             return meaning;
         }
+        if matches!(function.operation, Operation::Mod) && self.value(arguments[1]) == Some(0.0) {
+            self.report(id, Fault::DivisionByZero, self.tree.span(id));
+            return meaning;
+        }
         let values: Option<Vec<f64>> = arguments.iter().map(|a| self.value(*a)).collect();
         let folded = values.map(|values| apply(function.operation, &values));
         meaning.value = self.finite(id, folded);
