@@ -5,6 +5,14 @@
 //! first and second derivatives, and that knows its physical dimension. Every mistake is reported
 //! with its place in the text and what to do.
 //!
+//! ```
+//! use dalembert_expr::{Dim, EmptyScope, compile, parse_quantity};
+//!
+//! assert_eq!(parse_quantity("2 * 150 mm", Dim::LENGTH.into()), Ok(0.3));
+//! let errors = compile("30 deg + 2 mm", &EmptyScope, Dim::NONE.into()).unwrap_err();
+//! assert_eq!((errors[0].code, errors[0].span.clone()), ("unit-mismatch", 0..13));
+//! ```
+//!
 //! # The language
 //!
 //! - Numbers: `1`, `1.5e-3`, `.5`. All values are in SI.
@@ -44,6 +52,7 @@ mod instruction;
 mod program;
 mod quantity;
 mod scope;
+mod spline;
 mod suggest;
 mod syntax;
 mod unit;
@@ -56,5 +65,6 @@ pub use error::ExprError;
 pub use program::Program;
 pub use quantity::Quantity;
 pub use scope::{EmptyScope, Function, Resolved, Scope, UnknownName};
+pub use spline::{Spline, SplineError};
 pub use suggest::nearest;
 pub use unit::Unit;

@@ -54,7 +54,7 @@ impl Univariate {
             Self::Step if x.is_nan() => x,
             Self::Step => f64::from(x >= 0.0),
             Self::Smooth => smooth(x)[0],
-            Self::PowInt(n) => x.powi(n),
+            Self::PowInt(n) => whole_power(x, n),
             Self::PowReal(p) => x.powf(p),
         }
     }
@@ -111,7 +111,7 @@ impl Univariate {
             Self::Sign | Self::Floor | Self::Step => [v, 0.0, 0.0],
             Self::Smooth => smooth(x),
             Self::PowInt(n) => {
-                let power = |c: f64, k: i32| if c == 0.0 { 0.0 } else { c * x.powi(k) };
+                let power = |c: f64, k: i32| if c == 0.0 { 0.0 } else { c * whole_power(x, k) };
                 let p = f64::from(n);
                 [
                     v,
@@ -124,6 +124,19 @@ impl Univariate {
                 [v, power(p, p - 1.0), power(p * (p - 1.0), p - 2.0)]
             }
         }
+    }
+}
+
+/// A whole power, without a call for the usual ones.
+#[inline]
+fn whole_power(x: f64, n: i32) -> f64 {
+    match n {
+        -1 => 1.0 / x,
+        0 => 1.0,
+        1 => x,
+        2 => x * x,
+        3 => x * x * x,
+        _ => x.powi(n),
     }
 }
 
