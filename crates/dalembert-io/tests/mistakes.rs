@@ -47,8 +47,8 @@ fn all_syntax_errors() {
         findings(text),
         [
             "toml-syntax 2:10 not valid TOML: invalid basic string, expected `\"` | -",
-            "toml-syntax 3:8 not valid TOML: missing value | -",
-            "toml-syntax 6:10 not valid TOML: unexpected key or value | -",
+            "toml-syntax 3:9 not valid TOML: string values must be quoted, expected literal string | texts, units and expressions stand in quotes, for example \"30 deg\"",
+            "toml-syntax 6:8 not valid TOML: string values must be quoted, expected literal string | texts, units and expressions stand in quotes, for example \"30 deg\"",
             "toml-syntax 8:1 not valid TOML: duplicate key | -",
         ]
     );
@@ -228,7 +228,7 @@ fn wrong_lengths() {
     check(
         "[[body]]\nname = \"a\"\nshape = { kind = \"polygon\", points = [[0, 0], [1, 0]] }\n[[constraint]]\nname = \"c\"\nkind = \"coupler\"\nterms = []\n",
         &[
-            "wrong-length 5:37 body \"a\": `shape[0].points`: expected at least 3 entries, found 2 | -",
+            "wrong-length 5:38 body \"a\": `shape[0].points`: expected at least 3 entries, found 2 | -",
             "wrong-length 9:9 constraint \"c\": `terms`: expected at least 1 entries, found 0 | -",
         ],
     );
@@ -446,7 +446,7 @@ fn cam_profiles() {
             ),
             "unknown-kind 27:21 joint \"3\": `follower.kind`: there is no kind `knife` | allowed here: `knife-edge`, `roller`, `flat`",
             "wrong-type 33:11 joint \"4\": `profile`: expected a table, found a text | -",
-            "unknown-key 34:30 joint \"4\": `follower`: unknown key `radius` | allowed here: `kind`",
+            "unknown-key 34:29 joint \"4\": `follower`: unknown key `radius` | allowed here: `kind`",
         ],
     );
 }

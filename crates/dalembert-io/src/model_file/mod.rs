@@ -78,22 +78,33 @@ pub fn parse_model(text: &str, folder: Option<&Path>) -> Parsed {
     }
 }
 
-/// One error a line; and of an unclosed list, which makes an error of every word behind it, only
-/// the first.
+/// One error a line. A list that is not closed makes an error of every line behind it: of such a
+/// run of lines only the first is kept.
 fn syntax_errors(text: &str, errors: &[toml::de::Error]) -> Vec<Diagnostic> {
     let lines = Lines::new(text);
+    let silent = |line: usize| {
+        let text = lines.line(line).1.trim_start();
+        text.is_empty() || text.starts_with('#')
+    };
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
     let (mut last_line, mut in_list) = (0, false);
     for error in errors {
         let span = error.span().unwrap_or(0..0);
         let (line, _) = lines.line_column(span.start);
-        let of_list = error.message().contains("array");
-        if line == last_line || (in_list && of_list) {
+        let run = in_list && (last_line + 1..line).all(silent);
+        let same_line = line == last_line;
+        last_line = line;
+        if run || same_line {
             continue;
         }
-        (last_line, in_list) = (line, of_list);
+        in_list = error.message().contains("array");
         let message = format!("not valid TOML: {}", error.message());
-        diagnostics.push(Diagnostic::error("toml-syntax", "", message).span(span));
+        let mut diagnostic = Diagnostic::error("toml-syntax", "", message).span(span);
+        if error.message().contains("quoted") {
+            diagnostic = diagnostic
+                .help("texts, units and expressions stand in quotes, for example \"30 deg\"");
+        }
+        diagnostics.push(diagnostic);
     }
     diagnostics
 }
