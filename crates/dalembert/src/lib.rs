@@ -4,6 +4,14 @@
 //! The way of data: [`model::Model`] -> network -> system -> analysis -> [`results::Results`].
 #![forbid(unsafe_code)]
 
+pub mod analysis;
 pub mod diagnostic;
+pub mod force;
+pub mod joint;
 pub mod model;
 pub mod results;
+pub mod signal;
+pub mod solve;
+pub mod space;
+pub mod system;
+pub mod text;

@@ -1,0 +1,102 @@
+//! Why an analysis could not be done.
+
+use thiserror::Error;
+
+/// Why an analysis could not be done: what, where, when, and what to do.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum AnalysisError {
+    /// The constraints cannot be met at the same time near the estimate.
+    #[error(
+        "the machine cannot be assembled at t = {time} s: after {iterations} iterations {worst} is still off by {residual:.3e}{conflict}"
+    )]
+    NotAssembled {
+        /// Time [s].
+        time: f64,
+        /// Newton iterations.
+        iterations: usize,
+        /// The row with the largest residual, in words.
+        worst: String,
+        /// Its residual in SI units.
+        residual: f64,
+        /// Constraints that contradict each other, in words; empty where none was found.
+        conflict: String,
+    },
+    /// The machine can still move although its motion should be given by drivers.
+    #[error(
+        "the machine is not driven in every freedom: {freedoms} remain free ({names}); add drivers or use simulate"
+    )]
+    NotDriven {
+        /// Number of free motions.
+        freedoms: usize,
+        /// Coordinates that can move, in words.
+        names: String,
+    },
+    /// The driven machine came to a singular pose.
+    #[error(
+        "singular pose at t = {time:.6} s ({kind}): {detail}; results are kept until t = {last:.6} s"
+    )]
+    Singular {
+        /// Time at which the pose was found [s].
+        time: f64,
+        /// Last good time [s].
+        last: f64,
+        /// "dead centre or bifurcation", ...
+        kind: &'static str,
+        /// What depends on what, and what to do.
+        detail: String,
+    },
+    /// Masses are missing where the motion depends on them.
+    #[error(
+        "masses are missing: {names}; give mass and inertia of these bodies, or hold them by joints"
+    )]
+    Massless {
+        /// The coordinates that no mass and no constraint hold.
+        names: String,
+    },
+    /// A force element or constraint gave a number that is not finite.
+    #[error(
+        "{element} gives a value that is not finite at t = {time} s; check its expression and the pose"
+    )]
+    NotFinite {
+        /// The element in words.
+        element: String,
+        /// Time [s].
+        time: f64,
+    },
+    /// The step size became too small.
+    #[error("the integration stopped at t = {time} s: the step shrank to {step:.3e} s; {detail}")]
+    StepTooSmall {
+        /// Time [s].
+        time: f64,
+        /// Step [s].
+        step: f64,
+        /// What was seen and what to try.
+        detail: String,
+    },
+    /// No static equilibrium was found.
+    #[error("no static equilibrium was found: {detail}")]
+    NoEquilibrium {
+        /// What was tried and what remains.
+        detail: String,
+    },
+    /// A name that the analysis was given does not exist or does not fit.
+    #[error("{what} '{name}': {detail}")]
+    BadName {
+        /// "joint", "coordinate", ...
+        what: &'static str,
+        /// The name.
+        name: String,
+        /// What to do.
+        detail: String,
+    },
+    /// The actuators named for `inverse` cannot produce the motion.
+    #[error(
+        "{given} actuators are named, but the driven motion has {needed} drivers; name exactly {needed} joints"
+    )]
+    ActuatorCount {
+        /// Given.
+        given: usize,
+        /// Needed.
+        needed: usize,
+    },
+}

@@ -1,0 +1,42 @@
+//! The metric of the assembly: what counts as a small change.
+
+use crate::space::Space;
+use crate::system::System;
+
+/// Diagonal weight blocks, laid out like the mass, and their inverses: a length counts relative to
+/// the machine's size, an angle as it is, each by how well its user knows it.
+#[derive(Clone, Debug)]
+pub(super) struct Weights {
+    pub blocks: Vec<f64>,
+    pub inverse: Vec<f64>,
+    /// A zero right side.
+    pub zero: Vec<f64>,
+}
+
+impl Weights {
+    pub fn new<S: Space>(system: &System<S>, knowledge: &[f64]) -> Self {
+        let n = S::NV;
+        // The linear coordinates come first; in the plane 2 of 3, in space 3 of 6.
+        let linear = if n == 3 { 2 } else { 3 };
+        let mut blocks = vec![0.0; system.mass.len()];
+        let mut inverse = blocks.clone();
+        for b in 0..system.bodies.len() {
+            for k in 0..n {
+                let scale = if k < linear { system.size } else { 1.0 };
+                let w = knowledge[b * n + k] / (scale * scale);
+                blocks[(b * n + k) * n + k] = w;
+                inverse[(b * n + k) * n + k] = 1.0 / w;
+            }
+        }
+        Self {
+            blocks,
+            inverse,
+            zero: vec![0.0; system.nv()],
+        }
+    }
+
+    /// Every coordinate equally well known.
+    pub fn even<S: Space>(system: &System<S>) -> Self {
+        Self::new(system, &vec![1.0; system.body_nv()])
+    }
+}

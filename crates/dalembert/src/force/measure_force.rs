@@ -1,0 +1,120 @@
+//! Force elements along a scalar measure: springs, dampers, actuators.
+
+use super::{ForceChannel, ForceElement, ForceReport};
+use crate::joint::Measure;
+use crate::signal::Coefficient;
+use crate::space::{Planar, PlanarMarker};
+use nalgebra::Vector3;
+
+/// Spring-damper-actuator along a measure x (a distance, an angle, a displacement):
+/// f = k (x - x0) + c x' + f_a, positive where it reduces x (tension); Q = -f dx/dq
+/// (Shabana 5.61 to 5.73). An actuator alone is f_a = -(its value).
+#[derive(Clone, Debug)]
+pub struct MeasureForce {
+    /// The measure.
+    pub measure: Measure,
+    /// k.
+    pub stiffness: Coefficient,
+    /// c.
+    pub damping: Coefficient,
+    /// x0.
+    pub free: Coefficient,
+    /// f_a.
+    pub actuator: Coefficient,
+    /// Does it report its force as an actuator does (positive where it increases x)?
+    pub pushes: bool,
+}
+
+impl MeasureForce {
+    fn force(&self, t: f64, markers: &[PlanarMarker], x: f64, rate: f64) -> f64 {
+        self.stiffness.value(t, markers) * (x - self.free.value(t, markers))
+            + self.damping.value(t, markers) * rate
+            + self.actuator.value(t, markers)
+    }
+
+    /// Stiffness and free value where both are constant: only then is there a potential.
+    fn spring(&self) -> Option<(f64, f64)> {
+        Some((self.stiffness.constant()?, self.free.constant()?))
+    }
+}
+
+impl ForceElement<Planar> for MeasureForce {
+    fn wrenches(&self, t: f64, markers: &[PlanarMarker], out: &mut [Vector3<f64>]) {
+        let Measure {
+            kind,
+            first,
+            second,
+        } = self.measure;
+        let m = kind.evaluate(&markers[first], &markers[second]);
+        let f = self.force(t, markers, m.value, m.rate);
+        out[first] -= f * m.first;
+        out[second] -= f * m.second;
+    }
+
+    fn report(&self, t: f64, markers: &[PlanarMarker]) -> ForceReport {
+        let Measure {
+            kind,
+            first,
+            second,
+        } = self.measure;
+        let m = kind.evaluate(&markers[first], &markers[second]);
+        let f = self.force(t, markers, m.value, m.rate);
+        let (potential, potential_rate) = match self.spring() {
+            Some((k, x0)) => {
+                let stretch = m.value - x0;
+                (0.5 * k * stretch * stretch, k * stretch * m.rate)
+            }
+            None => (0.0, 0.0),
+        };
+        let sign = if self.pushes { -1.0 } else { 1.0 };
+        ForceReport {
+            potential,
+            potential_rate,
+            values: [m.value, m.rate, sign * f, -f * m.rate],
+        }
+    }
+
+    fn channels(&self) -> Vec<ForceChannel> {
+        let angle = self.measure.kind.is_angle();
+        let length = self.measure.kind == crate::joint::MeasureKind::Distance;
+        let (name, unit, rate_unit, force_unit) = match (angle, length) {
+            (true, _) => ("angle", "rad", "rad/s", "N m"),
+            (false, true) => ("length", "m", "m/s", "N"),
+            (false, false) => ("displacement", "m", "m/s", "N"),
+        };
+        let force = match (angle, self.pushes) {
+            (true, false) => ("moment", "moment, positive where it reduces the angle"),
+            (false, false) => ("force", "force, positive in tension"),
+            (true, true) => (
+                "moment",
+                "moment of the actuator, positive where it increases the angle",
+            ),
+            (false, true) => (
+                "force",
+                "force of the actuator, positive where it increases the displacement",
+            ),
+        };
+        vec![
+            ForceChannel {
+                suffix: name,
+                unit,
+                meaning: "what the element acts along",
+            },
+            ForceChannel {
+                suffix: "rate",
+                unit: rate_unit,
+                meaning: "its rate of change",
+            },
+            ForceChannel {
+                suffix: force.0,
+                unit: force_unit,
+                meaning: force.1,
+            },
+            ForceChannel {
+                suffix: "power",
+                unit: "W",
+                meaning: "power into the machine",
+            },
+        ]
+    }
+}

@@ -1,0 +1,140 @@
+//! Rows that are weighted sums of measures: most joints, drivers, couplers, gears, racks.
+
+use super::{
+    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, RowLabel, RowUnit, TimeFunction,
+};
+use crate::space::{Planar, PlanarMarker};
+use smallvec::SmallVec;
+
+/// One term of a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasureTerm {
+    /// Factor.
+    pub factor: f64,
+    /// Measure between two markers of the element.
+    pub measure: Measure,
+}
+
+/// One row: C = sum of factor * measure - f(t).
+#[derive(Clone, Debug)]
+pub struct MeasureRow {
+    /// The terms.
+    pub terms: SmallVec<[MeasureTerm; 2]>,
+    /// f(t).
+    pub target: TimeFunction,
+    /// What the row holds.
+    pub label: String,
+}
+
+/// A constraint element whose rows are weighted sums of measures.
+#[derive(Clone, Debug)]
+pub struct MeasureRows {
+    /// Number of markers of the element.
+    pub markers: usize,
+    /// The rows.
+    pub rows: SmallVec<[MeasureRow; 3]>,
+}
+
+impl MeasureRow {
+    /// A row of a single measure with factor -1: C = -(measure) + constant, so that C = first - second
+    /// and the multiplier is the reaction on the second body (Shabana 3.129, 6.107).
+    pub fn minus(measure: Measure, target: f64, label: &str) -> Self {
+        Self {
+            terms: SmallVec::from_elem(
+                MeasureTerm {
+                    factor: -1.0,
+                    measure,
+                },
+                1,
+            ),
+            target: TimeFunction::Constant(-target),
+            label: label.to_owned(),
+        }
+    }
+
+    /// C = measure - f(t).
+    pub fn follow(measure: Measure, target: TimeFunction, label: &str) -> Self {
+        Self {
+            terms: SmallVec::from_elem(
+                MeasureTerm {
+                    factor: 1.0,
+                    measure,
+                },
+                1,
+            ),
+            target,
+            label: label.to_owned(),
+        }
+    }
+
+    /// Value of the sum of measures.
+    pub fn sum(&self, markers: &[PlanarMarker]) -> f64 {
+        self.terms
+            .iter()
+            .map(|term| {
+                let m = term.measure;
+                term.factor * m.kind.value(&markers[m.first], &markers[m.second])
+            })
+            .sum()
+    }
+
+    fn unit(&self) -> RowUnit {
+        let mut unit = None;
+        for term in &self.terms {
+            let own = if term.measure.kind.is_angle() {
+                RowUnit::Angle
+            } else {
+                RowUnit::Length
+            };
+            match unit {
+                None => unit = Some(own),
+                Some(u) if u != own => return RowUnit::Other,
+                Some(_) => {}
+            }
+        }
+        unit.unwrap_or(RowUnit::Other)
+    }
+}
+
+impl ConstraintElement<Planar> for MeasureRows {
+    fn labels(&self) -> Vec<RowLabel> {
+        self.rows
+            .iter()
+            .map(|r| RowLabel {
+                text: r.label.clone(),
+                unit: r.unit(),
+            })
+            .collect()
+    }
+
+    fn evaluate(
+        &self,
+        input: &ConstraintInput<'_, Planar>,
+        out: &mut ConstraintOutput<'_, Planar>,
+    ) {
+        for (k, row) in self.rows.iter().enumerate() {
+            let gradient = &mut out.gradient[k * self.markers..(k + 1) * self.markers];
+            for term in &row.terms {
+                let Measure {
+                    kind,
+                    first,
+                    second,
+                } = term.measure;
+                let m = kind.evaluate(&input.markers[first], &input.markers[second]);
+                out.value[k] += term.factor * m.value;
+                out.bias[k] += term.factor * m.bias;
+                gradient[first] += term.factor * m.first;
+                gradient[second] += term.factor * m.second;
+            }
+            match &row.target {
+                TimeFunction::Constant(value) => out.value[k] -= value,
+                moving => {
+                    let f = moving.jet(input.t);
+                    out.value[k] -= f.v;
+                    out.time[k] -= f.d;
+                    out.bias[k] -= f.dd;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! The joint catalogue, and the constraint elements that joints are made of.
+//!
+//! Scalar [`Measure`]s between two markers (relative coordinates, distance, angle) are stated once
+//! with gradient and second derivative. Most joints, all drivers, couplers, gears and racks are
+//! weighted sums of measures that follow a function of time ([`MeasureRows`]). Contacts of curves
+//! ([`Cam`], [`RollingOnCircle`]) carry a surface parameter of their own.
+
+mod cam;
+mod expression_rows;
+mod measure;
+mod measure_rows;
+mod rolling;
+mod time_function;
+
+pub use cam::{Cam, Follower, Profile};
+pub use expression_rows::ExpressionRows;
+pub use measure::{Measure, MeasureKind, Measured};
+pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
+pub use rolling::RollingOnCircle;
+pub use time_function::TimeFunction;
+
+use crate::space::Space;
+use std::fmt::Debug;
+
+/// Unit of a constraint row: decides its scale.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowUnit {
+    /// The residual is a length [m].
+    Length,
+    /// The residual is an angle [rad].
+    Angle,
+    /// Anything else: scaled by its own gradient.
+    Other,
+}
+
+/// Label and unit of one constraint row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RowLabel {
+    /// What the row holds, for messages: "x", "angle", "across the slide".
+    pub text: String,
+    /// Its unit.
+    pub unit: RowUnit,
+}
+
+/// What a constraint element sees.
+#[derive(Debug)]
+pub struct ConstraintInput<'a, S: Space> {
+    /// Time [s].
+    pub t: f64,
+    /// The element's markers, in its own order.
+    pub markers: &'a [S::Marker],
+    /// Its auxiliary coordinates.
+    pub s: &'a [f64],
+    /// Their rates.
+    pub s_rate: &'a [f64],
+}
+
+/// What a constraint element answers; every slice has the element's own size and comes zeroed.
+#[derive(Debug)]
+pub struct ConstraintOutput<'a, S: Space> {
+    /// C, per row.
+    pub value: &'a mut [f64],
+    /// dC/d(twist of marker), rows x markers, row-major.
+    pub gradient: &'a mut [S::Twist],
+    /// dC/ds, rows x auxiliaries, row-major.
+    pub auxiliary: &'a mut [f64],
+    /// dC/dt at fixed coordinates, per row.
+    pub time: &'a mut [f64],
+    /// d2C/dt2 where the accelerations of markers and auxiliaries vanish, per row.
+    pub bias: &'a mut [f64],
+}
+
+/// A set of constraint rows C(markers, s, t) = 0.
+pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
+    /// Labels of the rows; their number is the number of rows.
+    fn labels(&self) -> Vec<RowLabel>;
+    /// Labels of the auxiliary coordinates and their units.
+    fn auxiliaries(&self) -> Vec<RowLabel> {
+        Vec::new()
+    }
+    /// Residual and derivatives at a state.
+    fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>);
+}

@@ -1,0 +1,88 @@
+//! Inputs of expressions: time, and values and rates of measures between markers.
+
+use crate::joint::Measure;
+use crate::space::PlanarMarker;
+use dalembert_expr::Program;
+
+/// Most inputs of one expression.
+pub const MAX_INPUTS: usize = 32;
+
+/// What an input of an expression is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SignalKind {
+    /// Time.
+    Time,
+    /// Value of the measure.
+    Value,
+    /// Rate of the measure.
+    Rate,
+}
+
+/// One input of an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Signal {
+    /// Kind.
+    pub kind: SignalKind,
+    /// Measure, on the markers of the element that owns the expression; unused for time.
+    pub measure: Measure,
+}
+
+impl Signal {
+    /// Its value at a state.
+    pub fn read(&self, t: f64, markers: &[PlanarMarker]) -> f64 {
+        let m = self.measure;
+        match self.kind {
+            SignalKind::Time => t,
+            SignalKind::Value => m.kind.value(&markers[m.first], &markers[m.second]),
+            SignalKind::Rate => m.kind.evaluate(&markers[m.first], &markers[m.second]).rate,
+        }
+    }
+}
+
+/// A coefficient of a force element: a constant, or an expression of the state.
+#[derive(Clone, Debug)]
+pub enum Coefficient {
+    /// A constant.
+    Constant(f64),
+    /// An expression with its inputs.
+    Expression(Box<Program>, Vec<Signal>),
+    /// The negative of an expression.
+    Negated(Box<Program>, Vec<Signal>),
+}
+
+fn read(program: &Program, inputs: &[Signal], t: f64, markers: &[PlanarMarker]) -> f64 {
+    let mut values = [0.0; MAX_INPUTS];
+    for (value, signal) in values.iter_mut().zip(inputs) {
+        *value = signal.read(t, markers);
+    }
+    program.eval(&values[..inputs.len()])
+}
+
+impl Coefficient {
+    /// The coefficient with the other sign.
+    #[must_use]
+    pub fn negated(self) -> Self {
+        match self {
+            Self::Constant(x) => Self::Constant(-x),
+            Self::Expression(program, inputs) => Self::Negated(program, inputs),
+            Self::Negated(program, inputs) => Self::Expression(program, inputs),
+        }
+    }
+
+    /// Its value at a state; markers of the element that owns it.
+    pub fn value(&self, t: f64, markers: &[PlanarMarker]) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Expression(program, inputs) => read(program, inputs, t, markers),
+            Self::Negated(program, inputs) => -read(program, inputs, t, markers),
+        }
+    }
+
+    /// The constant value, if it is one.
+    pub fn constant(&self) -> Option<f64> {
+        match self {
+            Self::Constant(value) => Some(*value),
+            Self::Expression(..) | Self::Negated(..) => None,
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! Solution and refinement of the saddle system.
+
+use super::kernel::{Size, add_apply, add_apply_transposed, with_dof, with_size};
+use super::pattern::Pattern;
+use super::residual::{Residual, Rhs};
+use super::saddle::Saddle;
+
+/// Residual at which refinement stops.
+const GOAL: f64 = 1e-13;
+
+/// Most corrections after the first solution.
+const SWEEPS: usize = 6;
+
+/// Arrays of a solution, allocated once.
+#[derive(Clone, Debug)]
+pub(super) struct Work {
+    force: Vec<f64>,
+    row: Vec<f64>,
+    aux: Vec<f64>,
+    turned: Vec<f64>,
+    step_a: Vec<f64>,
+    step_l: Vec<f64>,
+    step_s: Vec<f64>,
+    best_a: Vec<f64>,
+    best_l: Vec<f64>,
+    best_s: Vec<f64>,
+    local: Vec<f64>,
+}
+
+impl Work {
+    /// Allocates the arrays for a pattern.
+    pub fn new(pattern: &Pattern) -> Self {
+        let (coordinates, rows, aux) = (pattern.coordinates(), pattern.rows(), pattern.aux());
+        let longest = pattern
+            .shape()
+            .elements
+            .iter()
+            .map(|e| e.rows)
+            .max()
+            .unwrap_or(0);
+        Self {
+            force: vec![0.0; coordinates],
+            row: vec![0.0; rows],
+            aux: vec![0.0; aux],
+            turned: vec![0.0; rows],
+            step_a: vec![0.0; coordinates],
+            step_l: vec![0.0; rows],
+            step_s: vec![0.0; aux],
+            best_a: vec![0.0; coordinates],
+            best_l: vec![0.0; rows],
+            best_s: vec![0.0; aux],
+            local: vec![0.0; longest],
+        }
+    }
+}
+
+impl Saddle {
+    /// Solves with the last factorization and refines against the true system. Allocates nothing.
+    ///
+    /// `mass` has one row-major `dof x dof` block a body, the inverse of what [`factor`](Self::factor) was given.
+    pub fn solve(
+        &mut self,
+        mass: &[f64],
+        rhs: Rhs<'_>,
+        a: &mut [f64],
+        l: &mut [f64],
+        s: &mut [f64],
+    ) -> Residual {
+        let dof = self.pattern.shape().dof;
+        with_dof!(dof, dof => self.solve_sized(dof, mass, rhs, a, l, s))
+    }
+
+    fn solve_sized<D: Size>(
+        &mut self,
+        dof: D,
+        mass: &[f64],
+        rhs: Rhs<'_>,
+        a: &mut [f64],
+        l: &mut [f64],
+        s: &mut [f64],
+    ) -> Residual {
+        self.work.force.copy_from_slice(rhs.f);
+        self.work.row.copy_from_slice(rhs.g);
+        self.work.aux.copy_from_slice(rhs.h);
+        self.correction(dof);
+        a.copy_from_slice(&self.work.step_a);
+        l.copy_from_slice(&self.work.step_l);
+        s.copy_from_slice(&self.work.step_s);
+        let mut relative = self.residual(dof, mass, rhs, a, l, s);
+        let mut sweeps = 0;
+        while relative > GOAL && relative.is_finite() && sweeps < SWEEPS {
+            self.correction(dof);
+            self.work.best_a.copy_from_slice(a);
+            self.work.best_l.copy_from_slice(l);
+            self.work.best_s.copy_from_slice(s);
+            add(a, &self.work.step_a);
+            add(l, &self.work.step_l);
+            add(s, &self.work.step_s);
+            let next = self.residual(dof, mass, rhs, a, l, s);
+            if next < relative {
+                sweeps += 1;
+            } else {
+                a.copy_from_slice(&self.work.best_a);
+                l.copy_from_slice(&self.work.best_l);
+                s.copy_from_slice(&self.work.best_s);
+                break;
+            }
+            let stalled = next > 0.5 * relative;
+            relative = next;
+            if stalled {
+                break;
+            }
+        }
+        Residual {
+            relative,
+            sweeps,
+            converged: relative <= GOAL,
+        }
+    }
+
+    /// Solves the factored system for the residuals in `work`; the answer is the step in `work`.
+    fn correction<D: Size>(&mut self, dof: D) {
+        let n = dof.get();
+        let work = &mut self.work;
+        if !self.auxiliaries.is_empty() {
+            work.step_l.fill(0.0);
+        }
+        for aux in &mut self.auxiliaries {
+            aux.particular(&work.aux, &mut work.step_l);
+            for slot in 0..self.pattern.shape().elements[aux.element].bodies.len() {
+                let body = self.pattern.shape().elements[aux.element].bodies[slot];
+                if body < self.pattern.shape().bodies {
+                    let block = &self.jac[self.pattern.jac_offset(aux.element, slot)..];
+                    let l = &work.step_l[aux.row..];
+                    add_apply_transposed(
+                        (aux.rows, dof),
+                        -1.0,
+                        &mut work.force[body * n..],
+                        block,
+                        l,
+                    );
+                }
+            }
+        }
+        // J M^-1 J^T l = J M^-1 f - g
+        for (to, &g) in work.turned.iter_mut().zip(&work.row) {
+            *to = -g;
+        }
+        for aux in &mut self.auxiliaries {
+            aux.turn(&mut work.turned);
+        }
+        for block in &self.pattern.incidences {
+            let force = &work.force[block.body * n..];
+            let to = &mut work.turned[block.row..];
+            with_size!(block.rows, rows => add_apply((rows, dof), 1.0, to, &self.w[block.jac..], force));
+        }
+        self.ldl.solve(&mut work.turned);
+        // a = M^-1 f - M^-1 J^T l
+        work.step_a.fill(0.0);
+        for body in 0..self.pattern.shape().bodies {
+            let inverse = &self.mass_inverse[body * n * n..];
+            add_apply(
+                (dof, dof),
+                1.0,
+                &mut work.step_a[body * n..],
+                inverse,
+                &work.force[body * n..],
+            );
+        }
+        for block in &self.pattern.incidences {
+            let to = &mut work.step_a[block.body * n..];
+            let l = &work.turned[block.row..];
+            with_size!(block.rows, rows => add_apply_transposed((rows, dof), -1.0, to, &self.w[block.jac..], l));
+        }
+        if self.auxiliaries.is_empty() {
+            std::mem::swap(&mut work.step_l, &mut work.turned);
+            return;
+        }
+        let mut next = 0;
+        for aux in &mut self.auxiliaries {
+            work.step_l[next..aux.row].copy_from_slice(&work.turned[next..aux.row]);
+            next = aux.row + aux.rows;
+            aux.add_turned(&work.turned, &mut work.step_l);
+            let local = &mut work.local[..aux.rows];
+            local.copy_from_slice(&work.row[aux.row..next]);
+            for slot in 0..self.pattern.shape().elements[aux.element].bodies.len() {
+                let body = self.pattern.shape().elements[aux.element].bodies[slot];
+                if body < self.pattern.shape().bodies {
+                    let block = &self.jac[self.pattern.jac_offset(aux.element, slot)..];
+                    add_apply(
+                        (aux.rows, dof),
+                        -1.0,
+                        local,
+                        block,
+                        &work.step_a[body * n..],
+                    );
+                }
+            }
+            aux.solve_aux(local, &mut work.step_s);
+        }
+        work.step_l[next..].copy_from_slice(&work.turned[next..]);
+    }
+
+    /// Sets the residuals in `work` to those of the true equations and measures them.
+    fn residual<D: Size>(
+        &mut self,
+        dof: D,
+        mass: &[f64],
+        rhs: Rhs<'_>,
+        a: &[f64],
+        l: &[f64],
+        s: &[f64],
+    ) -> f64 {
+        let n = dof.get();
+        let work = &mut self.work;
+        // Squares of weighted numbers: the largest residual and the largest term.
+        let (mut worst, mut scale) = (0.0_f64, 0.0_f64);
+        let mut finite = true;
+        work.force.fill(0.0);
+        work.row.fill(0.0);
+        for block in &self.pattern.incidences {
+            let jac = &self.jac[block.jac..];
+            let force = &mut work.force[block.body * n..];
+            let row = &mut work.row[block.row..];
+            with_size!(block.rows, rows => {
+                add_apply_transposed((rows, dof), 1.0, force, jac, &l[block.row..]);
+                add_apply((rows, dof), 1.0, row, jac, &a[block.body * n..]);
+            });
+        }
+        for body in 0..self.pattern.shape().bodies {
+            let (block, inverse) = (
+                &mass[body * n * n..][..n * n],
+                &self.mass_inverse[body * n * n..][..n * n],
+            );
+            let a = &a[body * n..][..n];
+            let force = &mut work.force[body * n..][..n];
+            let f = &rhs.f[body * n..][..n];
+            for i in 0..n {
+                let mut inertia = 0.0;
+                for j in 0..n {
+                    inertia += block[i * n + j] * a[j];
+                }
+                let term = force[i].abs().max(f[i].abs()).max(inertia.abs());
+                let rest = f[i] - inertia - force[i];
+                force[i] = rest;
+                let weight = inverse[i * n + i];
+                worst = worst.max(rest * rest * weight);
+                scale = scale.max(term * term * weight);
+                finite &= rest.is_finite();
+            }
+        }
+        for aux in &self.auxiliaries {
+            let block = aux.block(&self.jac_aux);
+            for k in 0..aux.count {
+                let at = aux.first + k;
+                let (mut sum, mut term) = (0.0, rhs.h[at].abs());
+                for i in 0..aux.rows {
+                    let product = block[i * aux.count + k] * l[aux.row + i];
+                    sum += product;
+                    term = term.max(product.abs());
+                    work.row[aux.row + i] += block[i * aux.count + k] * s[at];
+                }
+                let rest = rhs.h[at] - sum;
+                work.aux[at] = rest;
+                worst = worst.max(rest * rest * self.aux_weight[at]);
+                scale = scale.max(term * term * self.aux_weight[at]);
+                finite &= rest.is_finite();
+            }
+        }
+        for ((row, &g), &weight) in work.row.iter_mut().zip(rhs.g).zip(&self.row_weight) {
+            let term = g.abs().max(row.abs());
+            let rest = g - *row;
+            *row = rest;
+            worst = worst.max(rest * rest * weight);
+            scale = scale.max(term * term * weight);
+            finite &= rest.is_finite();
+        }
+        match (finite && scale.is_finite(), scale > 0.0) {
+            (false, _) => f64::INFINITY,
+            (true, false) => 0.0,
+            (true, true) => (worst / scale).sqrt(),
+        }
+    }
+}
+
+/// `to += step`
+fn add(to: &mut [f64], step: &[f64]) {
+    for (to, step) in to.iter_mut().zip(step) {
+        *to += step;
+    }
+}

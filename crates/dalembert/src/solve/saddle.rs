@@ -1,0 +1,392 @@
+//! The saddle system of constrained dynamics: symbolic once, numeric without allocation.
+
+use super::auxiliary::AuxElement;
+use super::factored::Factored;
+use super::kernel::{Size, add_product, with_dof};
+use super::ldl::{BlockLdl, Floor};
+use super::pattern::{Incidence, Pattern};
+use super::shape::SaddleShape;
+
+/// Rows whose pivot ratio is below this are dependent: an angle of 3e-6 to the other rows.
+///
+/// Rounding leaves about `rows * 1e-16` of the pivot of a dependent row, far below.
+pub const DEPENDENT_PIVOT: f64 = 1e-11;
+
+/// Part of its own diagonal that is added to each row while dependent rows are present.
+const REGULARIZATION: f64 = 1e-9;
+
+/// Diagonals below this part of the largest one belong to rows without gradient.
+const ZERO_ROW: f64 = 1e-24;
+
+/// One product `W_a J_b^T` that goes into a block of the reduced matrix.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    row: usize,
+    column: usize,
+    target: usize,
+}
+
+/// Solver of `[M J^T 0; J 0 Js; 0 Js^T 0] [a; l; s] = [f; g; h]` on a fixed pattern.
+///
+/// The auxiliaries go first: an orthogonal turn of the rows of their element separates them exactly. Then the bodies
+/// (M is block-diagonal), which leaves `S = J M^-1 J^T` on the graph of elements that share a body. S is factored by
+/// a block-sparse LDL^T in minimum-degree order: linear time for chains and trees. A body with many elements makes
+/// their part of S dense: hundreds of elements on one body cost the cube of their number.
+///
+/// Dependent rows: S is then only semidefinite. Rows whose pivot vanishes are reported, and the factorization is
+/// repeated with a small part of the diagonal added (proximal point method). Refinement against the true equations
+/// removes its effect: accelerations are those of the consistent system, and the multipliers tend to the ones that
+/// minimize the sum of `S_ii l_i^2`.
+#[derive(Clone, Debug)]
+pub struct Saddle {
+    pub(super) pattern: Pattern,
+    pub(super) ldl: BlockLdl,
+    pairs: Vec<Pair>,
+    pub(super) auxiliaries: Vec<AuxElement>,
+    tolerance: f64,
+    pub(super) mass_inverse: Vec<f64>,
+    pub(super) jac: Vec<f64>,
+    pub(super) jac_aux: Vec<f64>,
+    /// Jacobian with turned rows where there are auxiliaries; empty if there are none at all.
+    turned: Vec<f64>,
+    /// Turned Jacobian times the inverse mass, laid out as the Jacobian.
+    pub(super) w: Vec<f64>,
+    /// Diagonal of S before regularization, for turned rows.
+    diagonal: Vec<f64>,
+    /// One over the diagonal of S of the original rows; zero for rows without gradient.
+    pub(super) row_weight: Vec<f64>,
+    /// The same for the columns of the auxiliary Jacobian.
+    pub(super) aux_weight: Vec<f64>,
+    pivot_ratio: Vec<f64>,
+    vanished: Vec<usize>,
+    zero: Vec<usize>,
+    pub(super) work: super::refine::Work,
+}
+
+impl Saddle {
+    /// Does the symbolic work and allocates everything.
+    pub fn new(shape: SaddleShape) -> Self {
+        let pattern = Pattern::new(shape);
+        let ldl = BlockLdl::new(&pattern);
+        let auxiliaries: Vec<AuxElement> = (0..pattern.elements())
+            .filter(|&e| pattern.shape().elements[e].aux > 0)
+            .map(|e| AuxElement::new(&pattern, e))
+            .collect();
+        let (rows, jac_len) = (pattern.rows(), pattern.jac_len());
+        Self {
+            pairs: pairs(&pattern, &ldl),
+            tolerance: DEPENDENT_PIVOT,
+            mass_inverse: vec![0.0; pattern.mass_len()],
+            jac: vec![0.0; jac_len],
+            jac_aux: vec![0.0; pattern.jac_aux_len()],
+            turned: vec![0.0; if auxiliaries.is_empty() { 0 } else { jac_len }],
+            w: vec![0.0; jac_len],
+            diagonal: vec![0.0; rows],
+            row_weight: vec![0.0; rows],
+            aux_weight: vec![0.0; pattern.aux()],
+            pivot_ratio: vec![0.0; rows],
+            vanished: Vec::with_capacity(rows),
+            zero: Vec::with_capacity(rows),
+            work: super::refine::Work::new(&pattern),
+            auxiliaries,
+            pattern,
+            ldl,
+        }
+    }
+
+    /// Sets the pivot ratio below which a row counts as dependent (the square of the sine of an angle).
+    ///
+    /// Positions that are off by a relative error e turn gradients by about e, so a run with loose position tolerances
+    /// needs at least `e * e` here, or redundant joints lock. Values are kept within 1e-14 and 1e-2.
+    pub fn with_tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = if tolerance.is_nan() {
+            DEPENDENT_PIVOT
+        } else {
+            tolerance.clamp(1e-14, 1e-2)
+        };
+        self
+    }
+
+    /// The layout of all values.
+    pub fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    /// Number of constraint rows.
+    pub fn rows(&self) -> usize {
+        self.pattern.rows()
+    }
+
+    /// Number of auxiliaries.
+    pub fn aux(&self) -> usize {
+        self.pattern.aux()
+    }
+
+    /// Number of values of the Jacobian.
+    pub fn jac_len(&self) -> usize {
+        self.pattern.jac_len()
+    }
+
+    /// Where the block of an element and one of its bodies starts in the Jacobian's values.
+    pub fn jac_offset(&self, element: usize, body_slot: usize) -> usize {
+        self.pattern.jac_offset(element, body_slot)
+    }
+
+    /// Number of values of the auxiliary Jacobian.
+    pub fn jac_aux_len(&self) -> usize {
+        self.pattern.jac_aux_len()
+    }
+
+    /// Where the block of an element starts in the auxiliary Jacobian's values.
+    pub fn jac_aux_offset(&self, element: usize) -> usize {
+        self.pattern.jac_aux_offset(element)
+    }
+
+    /// Number of stored values of the factor, a measure of fill.
+    pub fn factor_len(&self) -> usize {
+        self.ldl.len()
+    }
+
+    /// Adds `J^T l` to `out`, with the Jacobian of the last factorization.
+    pub fn jt_mul(&self, l: &[f64], out: &mut [f64]) {
+        self.pattern.jt_mul(&self.jac, l, out);
+    }
+
+    /// Sets `out` to `J v`, with the Jacobian of the last factorization.
+    pub fn j_mul(&self, v: &[f64], out: &mut [f64]) {
+        self.pattern.j_mul(&self.jac, v, out);
+    }
+
+    /// Factors the system. Allocates nothing.
+    ///
+    /// `mass_inverse` has one symmetric row-major `dof x dof` block a body; the Jacobians are laid out as
+    /// [`Pattern`] says. Each slice must have the length of its layout.
+    pub fn factor(&mut self, mass_inverse: &[f64], jac: &[f64], jac_aux: &[f64]) -> Factored<'_> {
+        self.mass_inverse.copy_from_slice(mass_inverse);
+        self.jac.copy_from_slice(jac);
+        self.jac_aux.copy_from_slice(jac_aux);
+        self.turn_rows();
+        let dof = self.pattern.shape().dof;
+        with_dof!(dof, dof => self.multiply_mass(dof));
+        self.assemble();
+        self.ldl.copy_diagonal(&mut self.diagonal);
+        let largest = self.diagonal.iter().copied().fold(0.0, f64::max);
+        let zero = ZERO_ROW * largest;
+        self.weigh_rows(zero);
+        self.ldl
+            .factor(&self.diagonal, zero, Floor::Drop(self.tolerance));
+        self.pivot_ratio.copy_from_slice(&self.ldl.ratio);
+        self.classify(zero);
+        if !self.vanished.is_empty() {
+            self.assemble();
+            self.ldl.lift_diagonal(REGULARIZATION);
+            self.ldl
+                .factor(&self.diagonal, zero, Floor::Lift(0.1 * REGULARIZATION));
+        }
+        self.factored()
+    }
+
+    /// The report of the last factorization.
+    pub fn factored(&self) -> Factored<'_> {
+        let kept = |ratio: &&f64| **ratio > self.tolerance;
+        let smallest = self
+            .pivot_ratio
+            .iter()
+            .filter(kept)
+            .copied()
+            .reduce(f64::min);
+        let largest = self
+            .pivot_ratio
+            .iter()
+            .filter(kept)
+            .copied()
+            .reduce(f64::max);
+        Factored {
+            pivot_ratio: &self.pivot_ratio,
+            smallest: smallest.unwrap_or(1.0),
+            largest: largest.unwrap_or(1.0),
+            vanished: &self.vanished,
+            zero: &self.zero,
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// Eliminates the auxiliaries: turns the rows of their elements.
+    fn turn_rows(&mut self) {
+        if self.auxiliaries.is_empty() {
+            return;
+        }
+        self.turned.copy_from_slice(&self.jac);
+        let dof = self.pattern.shape().dof;
+        for aux in &mut self.auxiliaries {
+            aux.factor(&self.jac_aux);
+            let bodies = self.pattern.shape().elements[aux.element].bodies.len();
+            for slot in 0..bodies {
+                let at = self.pattern.jac_offset(aux.element, slot);
+                aux.turn_block(dof, &self.jac[at..], &mut self.turned[at..]);
+            }
+        }
+    }
+
+    /// Sets `w` to the turned Jacobian times the inverse mass.
+    fn multiply_mass<D: Size>(&mut self, dof: D) {
+        let n = dof.get();
+        let jac = if self.auxiliaries.is_empty() {
+            &self.jac
+        } else {
+            &self.turned
+        };
+        for block in &self.pattern.incidences {
+            let inverse = &self.mass_inverse[block.body * n * n..][..n * n];
+            let source = &jac[block.jac..][..block.rows * n];
+            let target = &mut self.w[block.jac..][..block.rows * n];
+            for row in 0..block.rows {
+                let (from, to) = (&source[row * n..][..n], &mut target[row * n..][..n]);
+                for c in 0..n {
+                    let mut sum = 0.0;
+                    for k in 0..n {
+                        sum += from[k] * inverse[c * n + k];
+                    }
+                    to[c] = sum;
+                }
+            }
+        }
+    }
+
+    /// Fills the reduced matrix `S = J M^-1 J^T`.
+    fn assemble(&mut self) {
+        self.ldl.values_mut().fill(0.0);
+        let dof = self.pattern.shape().dof;
+        let jac = if self.auxiliaries.is_empty() {
+            &self.jac
+        } else {
+            &self.turned
+        };
+        let incidences = &self.pattern.incidences;
+        let values = self.ldl.values_mut();
+        for pair in &self.pairs {
+            let (a, b) = (incidences[pair.row], incidences[pair.column]);
+            add_product(
+                (a.rows, b.rows, dof),
+                1.0,
+                &mut values[pair.target..],
+                &self.w[a.jac..],
+                &jac[b.jac..],
+            );
+        }
+    }
+
+    /// Finds the weights that make residuals of rows and auxiliaries comparable.
+    fn weigh_rows(&mut self, zero: f64) {
+        let weight = |diagonal: f64| if diagonal > zero { 1.0 / diagonal } else { 0.0 };
+        for (to, &diagonal) in self.row_weight.iter_mut().zip(&self.diagonal) {
+            *to = weight(diagonal);
+        }
+        let n = self.pattern.shape().dof;
+        for aux in &self.auxiliaries {
+            // The diagonal holds turned rows here: take that of the original ones.
+            for i in 0..aux.rows {
+                let mut diagonal = 0.0;
+                for (slot, &body) in self.pattern.shape().elements[aux.element]
+                    .bodies
+                    .iter()
+                    .enumerate()
+                {
+                    if body >= self.pattern.shape().bodies {
+                        continue;
+                    }
+                    let row = &self.jac[self.pattern.jac_offset(aux.element, slot) + i * n..][..n];
+                    let inverse = &self.mass_inverse[body * n * n..][..n * n];
+                    for c in 0..n {
+                        for k in 0..n {
+                            diagonal += row[c] * inverse[c * n + k] * row[k];
+                        }
+                    }
+                }
+                self.row_weight[aux.row + i] = weight(diagonal);
+            }
+            let block = aux.block(&self.jac_aux);
+            for k in 0..aux.count {
+                let sum: f64 = (0..aux.rows)
+                    .map(|i| {
+                        block[i * aux.count + k]
+                            * block[i * aux.count + k]
+                            * self.row_weight[aux.row + i]
+                    })
+                    .sum();
+                self.aux_weight[aux.first + k] = if sum > 0.0 { 1.0 / sum } else { 0.0 };
+            }
+        }
+    }
+
+    /// Lists the rows that vanished or have no gradient.
+    fn classify(&mut self, zero: f64) {
+        self.vanished.clear();
+        self.zero.clear();
+        let mut auxiliaries = self.auxiliaries.iter().peekable();
+        for row in 0..self.pivot_ratio.len() {
+            while auxiliaries
+                .peek()
+                .is_some_and(|aux| aux.row + aux.rows <= row)
+            {
+                auxiliaries.next();
+            }
+            let owner = auxiliaries.peek().filter(|aux| aux.row <= row);
+            if owner.is_some_and(|aux| row < aux.row + aux.rank) {
+                // This turned row determines an auxiliary: no constraint of the bodies, and not redundant.
+                self.pivot_ratio[row] = 1.0;
+            } else if self.diagonal[row] <= zero {
+                let named = owner
+                    .and_then(|aux| aux.heaviest_row(row, &self.zero))
+                    .unwrap_or(row);
+                self.zero.push(named);
+            } else if self.pivot_ratio[row] <= self.tolerance {
+                let named = owner
+                    .and_then(|aux| aux.heaviest_row(row, &self.vanished))
+                    .unwrap_or(row);
+                self.vanished.push(named);
+            }
+        }
+        if !self.auxiliaries.is_empty() {
+            self.zero.sort_unstable();
+            self.vanished.sort_unstable();
+        }
+    }
+}
+
+/// All products of two blocks on the same body, with the place of their sum.
+fn pairs(pattern: &Pattern, ldl: &BlockLdl) -> Vec<Pair> {
+    let mut on_body: Vec<Vec<usize>> = vec![Vec::new(); pattern.shape().bodies];
+    for (number, block) in pattern.incidences.iter().enumerate() {
+        on_body[block.body].push(number);
+    }
+    let element = |number: usize| -> &Incidence { &pattern.incidences[number] };
+    let mut pairs = Vec::new();
+    for list in &on_body {
+        for (at, &first) in list.iter().enumerate() {
+            for &second in &list[at..] {
+                let (target, upright) = ldl.block(element(first).element, element(second).element);
+                let (row, column) = if upright {
+                    (first, second)
+                } else {
+                    (second, first)
+                };
+                pairs.push(Pair {
+                    row,
+                    column,
+                    target,
+                });
+                if first != second && element(first).element == element(second).element {
+                    // One body in two slots of one element: both cross terms belong to the diagonal block.
+                    pairs.push(Pair {
+                        row: column,
+                        column: row,
+                        target,
+                    });
+                }
+            }
+        }
+    }
+    pairs.sort_by_key(|pair| pair.target);
+    pairs
+}

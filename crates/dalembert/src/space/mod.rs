@@ -1,0 +1,42 @@
+//! Poses, twists, wrenches and inertias: the only place, with the joint catalogue, that knows
+//! the dimension.
+//!
+//! Twist = (linear, angular), wrench = (force, moment), linear first. Planar: 3 components.
+
+mod planar;
+mod tuple;
+
+pub use planar::{Planar, PlanarFrame, PlanarMarker, perpendicular};
+pub use tuple::Tuple;
+
+use std::fmt::Debug;
+
+/// What a dimension must say about itself, for the assembly to be written once.
+///
+/// Coordinates of a body: `NQ` positions and `NV` velocities, of its centre of mass.
+pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
+    /// Position coordinates of a body.
+    const NQ: usize;
+    /// Velocity coordinates of a body.
+    const NV: usize;
+    /// Twist or wrench: linear components first.
+    type Twist: Tuple;
+    /// A frame fixed in a body, measured from the centre of mass in body axes (ground: from the origin).
+    type Frame: Copy + Debug + Send + Sync;
+    /// A frame's pose and velocity in ground axes at one instant.
+    type Marker: Copy + Debug + Default + Send + Sync;
+
+    /// Pose and velocity of a frame on a body with coordinates `q` (NQ) and velocities `v` (NV).
+    fn marker(frame: &Self::Frame, q: &[f64], v: &[f64]) -> Self::Marker;
+    /// Pose of a frame on the ground.
+    fn ground_marker(frame: &Self::Frame) -> Self::Marker;
+    /// Twist of a marker: velocity of its point, angular velocity, in ground axes.
+    fn twist(marker: &Self::Marker) -> Self::Twist;
+    /// Acceleration of the marker (point, angular) where the body's own accelerations vanish.
+    fn bias(marker: &Self::Marker) -> Self::Twist;
+    /// Carries a wrench (or a gradient with respect to the twist) at a marker to the body's
+    /// velocity coordinates: K^T of Tokad (13), the moment of a force at its arm.
+    fn pull(marker: &Self::Marker, wrench: &Self::Twist) -> Self::Twist;
+    /// Carries velocity coordinates of the body to the twist at a marker: the transpose of `pull`.
+    fn push(marker: &Self::Marker, velocity: &Self::Twist) -> Self::Twist;
+}

@@ -1,0 +1,106 @@
+//! The plane: three coordinates a body.
+
+use super::Space;
+use nalgebra::{Vector2, Vector3};
+
+/// Planar motion: q = v-layout = (x, y, angle) of the centre of mass, ground axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Planar;
+
+/// A frame fixed in a planar body, from the centre of mass, in body axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlanarFrame {
+    /// Origin [m].
+    pub at: Vector2<f64>,
+    /// Angle of its x axis [rad].
+    pub angle: f64,
+}
+
+/// Pose and velocity of a planar frame in ground axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlanarMarker {
+    /// Point [m].
+    pub point: Vector2<f64>,
+    /// Angle of the x axis, never wrapped [rad].
+    pub angle: f64,
+    /// Unit x axis.
+    pub ex: Vector2<f64>,
+    /// From the body's centre of mass to the point [m].
+    pub arm: Vector2<f64>,
+    /// Velocity of the point [m/s].
+    pub velocity: Vector2<f64>,
+    /// Angular velocity [rad/s].
+    pub omega: f64,
+}
+
+impl PlanarMarker {
+    /// Unit y axis.
+    pub fn ey(&self) -> Vector2<f64> {
+        perpendicular(&self.ex)
+    }
+}
+
+/// A vector turned by +90 degrees: k x a.
+pub fn perpendicular(a: &Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(-a.y, a.x)
+}
+
+impl Space for Planar {
+    const NQ: usize = 3;
+    const NV: usize = 3;
+    type Twist = Vector3<f64>;
+    type Frame = PlanarFrame;
+    type Marker = PlanarMarker;
+
+    fn marker(frame: &PlanarFrame, q: &[f64], v: &[f64]) -> PlanarMarker {
+        let (s, c) = q[2].sin_cos();
+        let arm = Vector2::new(
+            c * frame.at.x - s * frame.at.y,
+            s * frame.at.x + c * frame.at.y,
+        );
+        let ex = if frame.angle == 0.0 {
+            Vector2::new(c, s)
+        } else {
+            let (s, c) = (q[2] + frame.angle).sin_cos();
+            Vector2::new(c, s)
+        };
+        PlanarMarker {
+            point: Vector2::new(q[0], q[1]) + arm,
+            angle: q[2] + frame.angle,
+            ex,
+            arm,
+            velocity: Vector2::new(v[0], v[1]) + v[2] * perpendicular(&arm),
+            omega: v[2],
+        }
+    }
+
+    fn ground_marker(frame: &PlanarFrame) -> PlanarMarker {
+        let (s, c) = frame.angle.sin_cos();
+        PlanarMarker {
+            point: frame.at,
+            angle: frame.angle,
+            ex: Vector2::new(c, s),
+            arm: frame.at,
+            velocity: Vector2::zeros(),
+            omega: 0.0,
+        }
+    }
+
+    fn twist(m: &PlanarMarker) -> Vector3<f64> {
+        Vector3::new(m.velocity.x, m.velocity.y, m.omega)
+    }
+
+    // Shabana 3.50: the normal acceleration -omega^2 u.
+    fn bias(m: &PlanarMarker) -> Vector3<f64> {
+        let w2 = m.omega * m.omega;
+        Vector3::new(-w2 * m.arm.x, -w2 * m.arm.y, 0.0)
+    }
+
+    fn pull(m: &PlanarMarker, w: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(w.x, w.y, w.z + m.arm.x * w.y - m.arm.y * w.x)
+    }
+
+    fn push(m: &PlanarMarker, v: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(v.x - v.z * m.arm.y, v.y + v.z * m.arm.x, v.z)
+    }
+}

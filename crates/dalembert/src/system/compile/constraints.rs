@@ -1,0 +1,182 @@
+//! Constraints that are not joints.
+
+use super::context::{Context, GlobalMeasure};
+use super::joints::Built;
+use super::place::Place;
+use crate::diagnostic::Diagnostic;
+use crate::joint::{ExpressionRows, Measure, MeasureRow, MeasureRows, MeasureTerm, TimeFunction};
+use crate::model::ConstraintKind;
+use crate::signal::SignalKind;
+use crate::system::Role;
+use dalembert_expr::Quantity;
+use smallvec::{SmallVec, smallvec};
+use std::sync::Arc;
+
+impl Context<'_> {
+    /// Compiles the constraints.
+    pub fn constraints(&mut self) {
+        let model = self.model;
+        for (index, constraint) in model.constraints.iter().enumerate() {
+            let place = Place::new("constraint", index, "constraint", &constraint.name);
+            if let Some(built) = self.constraint(&constraint.kind, &place) {
+                self.push_element(constraint.name.clone(), Role::Constraint, place.path, built);
+            }
+        }
+    }
+
+    fn constraint(&mut self, kind: &ConstraintKind, place: &Place) -> Option<Built> {
+        match kind {
+            ConstraintKind::Fixed { quantity, value } => {
+                let m = self.quantity(quantity, &place.owner, &place.key("quantity"))?;
+                let value = match value {
+                    Some(v) => self.number(v, m.kind.dim(), &place.owner, &place.key("value"))?,
+                    None => self.estimate(m),
+                };
+                Some(measure_rows(
+                    "fixed coordinate",
+                    &[(1.0, m)],
+                    TimeFunction::Constant(value),
+                    "value",
+                ))
+            }
+            ConstraintKind::Coupler { terms, value } => {
+                let mut list = Vec::new();
+                for (k, term) in terms.iter().enumerate() {
+                    let path = place.key(&format!("terms[{k}]"));
+                    let factor = self.constant(
+                        &term.factor,
+                        Quantity::Free,
+                        &place.owner,
+                        &format!("{path}.factor"),
+                    );
+                    let m = self.quantity(&term.quantity, &place.owner, &path);
+                    list.push((factor?, m?));
+                }
+                if list.is_empty() {
+                    self.report(
+                        Diagnostic::error(
+                            "no-terms",
+                            place.key("terms"),
+                            format!("{}: it has no terms", place.owner),
+                        )
+                        .help(
+                            "give terms = [{ factor = 1, kind = \"angle\", joint = \"A\" }, ...]",
+                        ),
+                    );
+                    return None;
+                }
+                let value = match value {
+                    Some(v) => {
+                        self.constant(v, Quantity::Free, &place.owner, &place.key("value"))?
+                    }
+                    None => list.iter().map(|(f, m)| f * self.estimate(*m)).sum(),
+                };
+                Some(measure_rows(
+                    "coupler",
+                    &list,
+                    TimeFunction::Constant(value),
+                    "sum",
+                ))
+            }
+            ConstraintKind::Expression { expression } => {
+                let mut markers = SmallVec::new();
+                let path = place.key("expression");
+                let (program, inputs) = self.state_program(
+                    expression,
+                    Quantity::Free,
+                    &place.owner,
+                    &path,
+                    &mut markers,
+                )?;
+                if inputs.iter().any(|s| s.kind == SignalKind::Rate) {
+                    self.report(
+                        Diagnostic::error(
+                            "velocity-constraint",
+                            path,
+                            format!(
+                                "{}: a constraint expression must not use velocities",
+                                place.owner
+                            ),
+                        )
+                        .help("use positions, angles and t only"),
+                    );
+                    return None;
+                }
+                if inputs.iter().all(|s| s.kind == SignalKind::Time) {
+                    self.report(
+                        Diagnostic::error(
+                            "empty-constraint",
+                            path,
+                            format!(
+                                "{}: the expression uses no coordinate of the machine",
+                                place.owner
+                            ),
+                        )
+                        .help("use coordinates like crank.angle or slider.x"),
+                    );
+                    return None;
+                }
+                let count = markers.len();
+                Some(Built {
+                    kind: "user constraint",
+                    element: Arc::new(ExpressionRows {
+                        program,
+                        inputs,
+                        markers: count,
+                    }),
+                    markers,
+                    coordinates: SmallVec::new(),
+                    auxiliary_start: SmallVec::new(),
+                    reaction_marker: count - 1,
+                })
+            }
+        }
+    }
+}
+
+/// One row: sum of factor * measure = f(t).
+pub(super) fn measure_rows(
+    kind: &'static str,
+    terms: &[(f64, GlobalMeasure)],
+    target: TimeFunction,
+    label: &str,
+) -> Built {
+    let mut markers: SmallVec<[usize; 4]> = SmallVec::new();
+    let mut local = |global: usize| {
+        markers
+            .iter()
+            .position(|&m| m == global)
+            .unwrap_or_else(|| {
+                markers.push(global);
+                markers.len() - 1
+            })
+    };
+    let terms: SmallVec<[MeasureTerm; 2]> = terms
+        .iter()
+        .map(|&(factor, m)| MeasureTerm {
+            factor,
+            measure: Measure {
+                kind: m.kind,
+                first: local(m.first),
+                second: local(m.second),
+            },
+        })
+        .collect();
+    let row = MeasureRow {
+        terms,
+        target,
+        label: label.to_owned(),
+    };
+    let count = markers.len();
+    Built {
+        kind,
+        element: Arc::new(MeasureRows {
+            markers: count,
+            rows: smallvec![row],
+        }),
+        markers,
+        coordinates: SmallVec::new(),
+        auxiliary_start: SmallVec::new(),
+        reaction_marker: count - 1,
+    }
+}

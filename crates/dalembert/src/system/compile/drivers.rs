@@ -1,0 +1,201 @@
+//! Drivers and initial conditions.
+
+use super::constraints::measure_rows;
+use super::context::{Context, GlobalMeasure};
+use super::joints::Built;
+use super::place::Place;
+use crate::diagnostic::Diagnostic;
+use crate::joint::{Measure, MeasureKind, MeasureRow, MeasureRows, TimeFunction};
+use crate::model::{DriverKind, Motion, Quantity};
+use crate::system::{Coordinate, Phase, Role};
+use dalembert_expr::Dim;
+use nalgebra::Vector2;
+use smallvec::{SmallVec, smallvec};
+use std::sync::Arc;
+
+/// Words for the kind of a driven quantity.
+fn kind_name(q: &Quantity) -> &'static str {
+    match q {
+        Quantity::Coordinate { .. } => "coordinate driver",
+        Quantity::Angle { .. } => "angle driver",
+        Quantity::Displacement { .. } => "displacement driver",
+        Quantity::RelativeAngle { .. } => "relative-angle driver",
+        Quantity::Distance { .. } => "distance driver",
+    }
+}
+
+impl Context<'_> {
+    /// Compiles the drivers.
+    pub fn drivers(&mut self) {
+        let model = self.model;
+        for (index, driver) in model.drivers.iter().enumerate() {
+            let place = Place::new("driver", index, "driver", &driver.name);
+            if let Some(built) = self.driver(&driver.kind, &place) {
+                self.push_element(driver.name.clone(), Role::Driver, place.path, built);
+            }
+        }
+    }
+
+    fn driver(&mut self, kind: &DriverKind, place: &Place) -> Option<Built> {
+        match kind {
+            DriverKind::Scalar { quantity, motion } => {
+                let m = self.quantity(quantity, &place.owner, &place.path)?;
+                let target = self.motion(motion, m, place)?;
+                let mut built = measure_rows(kind_name(quantity), &[(1.0, m)], target, "value");
+                built.coordinates = smallvec![Coordinate {
+                    name: if m.kind.is_angle() {
+                        "angle"
+                    } else {
+                        "displacement"
+                    },
+                    measure: Measure {
+                        kind: m.kind,
+                        first: 0,
+                        second: built.markers.len() - 1
+                    },
+                }];
+                Some(built)
+            }
+            DriverKind::Path {
+                body,
+                at,
+                from,
+                from_at,
+                x,
+                y,
+                ..
+            } => {
+                let second = self.place(body, &place.owner, &place.key("body"));
+                let at = match at {
+                    Some(p) => self.vector(p, Dim::LENGTH, &place.owner, &place.key("at")),
+                    None => Some(Vector2::zeros()),
+                };
+                let first = match from {
+                    Some(name) => self.place(name, &place.owner, &place.key("from")),
+                    None => self.places.get(crate::model::GROUND).cloned(),
+                };
+                let from_at = match from_at {
+                    Some(p) => self.vector(p, Dim::LENGTH, &place.owner, &place.key("from_at")),
+                    None => Some(Vector2::zeros()),
+                };
+                let mut rows = SmallVec::new();
+                for (value, kind, key) in [
+                    (x, MeasureKind::GroundX, "x"),
+                    (y, MeasureKind::GroundY, "y"),
+                ] {
+                    let Some(value) = value else { continue };
+                    let f =
+                        self.time_function(value, Dim::LENGTH, &place.owner, &place.key(key))?;
+                    rows.push(MeasureRow::follow(
+                        Measure {
+                            kind,
+                            first: 0,
+                            second: 1,
+                        },
+                        f,
+                        key,
+                    ));
+                }
+                if rows.is_empty() {
+                    self.report(
+                        Diagnostic::error(
+                            "no-motion",
+                            &place.path,
+                            format!("{}: neither x nor y is given", place.owner),
+                        )
+                        .help("give x = \"...\", y = \"...\", or both"),
+                    );
+                    return None;
+                }
+                let a = self.marker(&first?, from_at?, 0.0);
+                let b = self.marker(&second?, at?, 0.0);
+                Some(Built {
+                    kind: "path driver",
+                    element: Arc::new(MeasureRows { markers: 2, rows }),
+                    markers: smallvec![a, b],
+                    coordinates: SmallVec::new(),
+                    auxiliary_start: SmallVec::new(),
+                    reaction_marker: 1,
+                })
+            }
+        }
+    }
+
+    fn motion(&mut self, motion: &Motion, m: GlobalMeasure, place: &Place) -> Option<TimeFunction> {
+        let dim = m.kind.dim();
+        match motion {
+            Motion::Value { value } => {
+                self.time_function(value, dim, &place.owner, &place.key("value"))
+            }
+            Motion::Rate { rate, start } => {
+                let program =
+                    self.time_program(rate, dim / Dim::TIME, &place.owner, &place.key("rate"))?;
+                let start = match start {
+                    Some(v) => self.number(v, dim, &place.owner, &place.key("start"))?,
+                    None => self.estimate(m),
+                };
+                Some(TimeFunction::integral(
+                    program,
+                    start,
+                    self.options.start,
+                    self.options.end,
+                ))
+            }
+        }
+    }
+
+    /// Compiles the initial conditions.
+    pub fn initial(&mut self) {
+        let model = self.model;
+        for (index, initial) in model.initial.iter().enumerate() {
+            let place = Place::new(
+                "initial",
+                index,
+                "initial condition",
+                &(index + 1).to_string(),
+            );
+            if initial.value.is_none() && initial.rate.is_none() {
+                self.report(
+                    Diagnostic::error(
+                        "no-motion",
+                        &place.path,
+                        format!("{}: neither value nor rate is given", place.owner),
+                    )
+                    .help("give value, rate, or both"),
+                );
+                continue;
+            }
+            let Some(m) = self.quantity(&initial.quantity, &place.owner, &place.path) else {
+                continue;
+            };
+            let dim = m.kind.dim();
+            let name = self.quantity_name(&initial.quantity);
+            if let Some(x) = self.optional(initial.value.as_ref(), dim, &place, "value") {
+                let name = format!("initial {name}");
+                self.start_element(name, place.key("value"), m, x, Phase::StartPosition);
+            }
+            if let Some(x) = self.optional(initial.rate.as_ref(), dim / Dim::TIME, &place, "rate") {
+                let name = format!("initial rate of {name}");
+                self.start_element(name, place.key("rate"), m, x, Phase::StartVelocity);
+            }
+        }
+    }
+
+    fn quantity_name(&self, quantity: &Quantity) -> String {
+        match quantity {
+            Quantity::Coordinate {
+                body, coordinate, ..
+            } => {
+                format!("{body}.{}", format!("{coordinate:?}").to_lowercase())
+            }
+            Quantity::Angle { joint } => format!("{joint}.angle"),
+            Quantity::Displacement { joint } => format!("{joint}.displacement"),
+            Quantity::RelativeAngle { bodies } => {
+                format!("angle of {} from {}", bodies[1], bodies[0])
+            }
+            Quantity::Distance { bodies, .. } => {
+                format!("distance of {} and {}", bodies[0], bodies[1])
+            }
+        }
+    }
+}

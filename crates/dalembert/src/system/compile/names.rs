@@ -1,0 +1,318 @@
+//! What names mean in expressions.
+
+use super::context::{Context, GlobalMeasure};
+use crate::diagnostic::Diagnostic;
+use crate::joint::MeasureKind;
+use crate::model::Value;
+use crate::signal::SignalKind;
+use dalembert_expr::{Dim, Function, Quantity, Resolved, Scope, UnknownName};
+use indexmap::IndexMap;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+type Parameters = IndexMap<String, (f64, Quantity)>;
+type Functions = HashMap<String, Arc<dyn Function>>;
+
+/// A property of an element that expressions may use: `crank.angle`.
+#[derive(Clone, Debug)]
+pub(super) struct Property {
+    pub name: String,
+    pub kind: SignalKind,
+    pub measure: GlobalMeasure,
+    pub dim: Dim,
+}
+
+/// Parameters and tables only.
+pub(super) struct ConstantScope<'a> {
+    pub parameters: &'a Parameters,
+    pub functions: &'a Functions,
+}
+
+fn unknown<'a>(path: &[&str], known: impl Iterator<Item = &'a str>, note: &str) -> UnknownName {
+    let name = path.join(".");
+    let known: Vec<&str> = known.collect();
+    UnknownName {
+        suggestions: crate::text::nearest(&name, known)
+            .map(str::to_owned)
+            .into_iter()
+            .collect(),
+        note: Some(note.to_owned()),
+    }
+}
+
+impl Scope for ConstantScope<'_> {
+    fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
+        if let [name] = path
+            && let Some(&(value, dim)) = self.parameters.get(*name)
+        {
+            return Ok(Resolved::Constant { value, dim });
+        }
+        Err(unknown(
+            path,
+            self.parameters.keys().map(String::as_str),
+            "only parameters can be used here, this number is a constant",
+        ))
+    }
+
+    fn function(&self, name: &str) -> Option<Arc<dyn Function>> {
+        self.functions.get(name).cloned()
+    }
+}
+
+/// Parameters, tables, time and properties of elements.
+pub(super) struct StateScope<'a> {
+    parameters: &'a Parameters,
+    functions: &'a Functions,
+    properties: &'a IndexMap<String, Vec<Property>>,
+    used: RefCell<Vec<(SignalKind, GlobalMeasure)>>,
+}
+
+/// What stands for the measure of time, which has none.
+const NO_MEASURE: GlobalMeasure = GlobalMeasure {
+    kind: MeasureKind::Angle,
+    first: 0,
+    second: 0,
+};
+
+impl<'a> StateScope<'a> {
+    /// Slot 0 is time.
+    pub fn new(
+        parameters: &'a Parameters,
+        functions: &'a Functions,
+        properties: &'a IndexMap<String, Vec<Property>>,
+    ) -> Self {
+        let used = RefCell::new(vec![(SignalKind::Time, NO_MEASURE)]);
+        Self {
+            parameters,
+            functions,
+            properties,
+            used,
+        }
+    }
+
+    /// What the slots stand for.
+    pub fn into_used(self) -> Vec<(SignalKind, GlobalMeasure)> {
+        self.used.into_inner()
+    }
+
+    fn slot(&self, kind: SignalKind, measure: GlobalMeasure) -> usize {
+        let mut used = self.used.borrow_mut();
+        used.iter()
+            .position(|x| *x == (kind, measure))
+            .unwrap_or_else(|| {
+                used.push((kind, measure));
+                used.len() - 1
+            })
+    }
+}
+
+impl Scope for StateScope<'_> {
+    fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
+        match path {
+            ["t"] => Ok(Resolved::Slot {
+                index: 0,
+                dim: Quantity::Known(Dim::TIME),
+            }),
+            [name] => match self.parameters.get(*name) {
+                Some(&(value, dim)) => Ok(Resolved::Constant { value, dim }),
+                None if self.properties.contains_key(*name) => Err(UnknownName {
+                    suggestions: self.properties[*name]
+                        .iter()
+                        .take(6)
+                        .map(|p| format!("{name}.{}", p.name))
+                        .collect(),
+                    note: Some(format!(
+                        "'{name}' is an element, a quantity of it is needed"
+                    )),
+                }),
+                None => Err(unknown(
+                    path,
+                    self.parameters.keys().map(String::as_str).chain(["t"]),
+                    "the name is neither t, nor a parameter, nor element.quantity",
+                )),
+            },
+            [name, property] => match self.properties.get(*name) {
+                Some(list) => match list.iter().find(|p| p.name == *property) {
+                    Some(p) => Ok(Resolved::Slot {
+                        index: self.slot(p.kind, p.measure),
+                        dim: Quantity::Known(p.dim),
+                    }),
+                    None => Err(UnknownName {
+                        suggestions: crate::text::nearest(
+                            property,
+                            list.iter().map(|p| p.name.as_str()),
+                        )
+                        .map(|p| format!("{name}.{p}"))
+                        .into_iter()
+                        .collect(),
+                        note: Some(format!(
+                            "'{name}' has: {}",
+                            list.iter()
+                                .map(|p| p.name.as_str())
+                                .collect::<Vec<_>>()
+                                .join(", ")
+                        )),
+                    }),
+                },
+                None if self.properties.is_empty() => Err(UnknownName {
+                    suggestions: Vec::new(),
+                    note: Some("only t and parameters can be used here".to_owned()),
+                }),
+                None => Err(UnknownName {
+                    suggestions: crate::text::nearest(
+                        name,
+                        self.properties.keys().map(String::as_str),
+                    )
+                    .map(|n| format!("{n}.{property}"))
+                    .into_iter()
+                    .collect(),
+                    note: Some(format!("there is no element '{name}' with quantities")),
+                }),
+            },
+            _ => Err(unknown(
+                path,
+                std::iter::empty(),
+                "names have one or two parts",
+            )),
+        }
+    }
+
+    fn function(&self, name: &str) -> Option<Arc<dyn Function>> {
+        self.functions.get(name).cloned()
+    }
+}
+
+impl Context<'_> {
+    /// Evaluates the parameters in the order of their dependence.
+    pub fn parameters(&mut self) {
+        let mut pending: IndexMap<String, (Value, String)> = self
+            .model
+            .parameters
+            .iter()
+            .map(|(k, v)| (k.clone(), (v.clone(), format!("parameters.{k}"))))
+            .collect();
+        for (name, value) in self.overrides {
+            match pending.get_mut(name) {
+                Some(slot) => slot.0 = value.clone(),
+                None => {
+                    let known: Vec<&str> = pending.keys().map(String::as_str).collect();
+                    let help = super::context::suggestion(name, &known)
+                        .unwrap_or_else(|| format!("the parameters are: {}", known.join(", ")));
+                    self.report(
+                        Diagnostic::error(
+                            "unknown-parameter",
+                            "parameters",
+                            format!("there is no parameter '{name}' to be set"),
+                        )
+                        .help(help),
+                    );
+                }
+            }
+        }
+        while !pending.is_empty() {
+            let ready: Vec<String> = pending
+                .iter()
+                .filter(|(_, (value, _))| {
+                    dependencies(value).iter().all(|d| !pending.contains_key(d))
+                })
+                .map(|(k, _)| k.clone())
+                .collect();
+            if ready.is_empty() {
+                self.report_cycle(&pending);
+                return;
+            }
+            for name in ready {
+                let Some((value, path)) = pending.shift_remove(&name) else {
+                    continue;
+                };
+                let owner = format!("parameter '{name}'");
+                if let Some((x, quantity)) = self.parameter_value(&value, &owner, &path) {
+                    self.parameters.insert(name, (x, quantity));
+                } else {
+                    // A stand-in keeps the mistake from being reported again at every use.
+                    self.parameters.insert(name, (1.0, Quantity::Free));
+                }
+            }
+        }
+    }
+
+    fn parameter_value(
+        &mut self,
+        value: &Value,
+        owner: &str,
+        path: &str,
+    ) -> Option<(f64, Quantity)> {
+        let Value::Text(text) = value else {
+            return self
+                .constant(value, Quantity::Free, owner, path)
+                .map(|x| (x, Quantity::Free));
+        };
+        let scope = ConstantScope {
+            parameters: &self.parameters,
+            functions: &self.functions,
+        };
+        match dalembert_expr::compile(text, &scope, Quantity::Free) {
+            Ok(program) => {
+                let x = self.constant(value, Quantity::Free, owner, path)?;
+                Some((x, program.quantity()))
+            }
+            Err(errors) => {
+                self.report_expression(owner, path, errors);
+                None
+            }
+        }
+    }
+
+    fn report_cycle(&mut self, pending: &IndexMap<String, (Value, String)>) {
+        // Follow the dependences from the first open parameter until one repeats.
+        let Some(first) = pending.keys().next() else {
+            return;
+        };
+        let mut chain = vec![first.clone()];
+        loop {
+            let Some((value, _)) = chain.last().and_then(|last| pending.get(last)) else {
+                return;
+            };
+            let Some(next) = dependencies(value)
+                .into_iter()
+                .find(|d| pending.contains_key(d))
+            else {
+                return;
+            };
+            if let Some(start) = chain.iter().position(|n| *n == next) {
+                let mut cycle = chain[start..].to_vec();
+                cycle.push(next);
+                let path = format!("parameters.{}", cycle[0]);
+                self.report(
+                    Diagnostic::error(
+                        "parameter-cycle",
+                        path,
+                        format!(
+                            "parameters depend on each other in a circle: {}",
+                            cycle.join(" -> ")
+                        ),
+                    )
+                    .help("give one of them as a number"),
+                );
+                return;
+            }
+            chain.push(next);
+        }
+    }
+}
+
+fn dependencies(value: &Value) -> Vec<String> {
+    match value {
+        Value::Number(_) => Vec::new(),
+        Value::Text(text) => dalembert_expr::names(text)
+            .map(|names| {
+                names
+                    .into_iter()
+                    .filter(|(p, _)| p.len() == 1)
+                    .map(|(mut p, _)| p.remove(0))
+                    .collect()
+            })
+            .unwrap_or_default(),
+    }
+}

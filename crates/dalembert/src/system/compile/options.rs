@@ -1,0 +1,160 @@
+//! Options of the analyses, resolved.
+
+use super::context::Context;
+use crate::diagnostic::Diagnostic;
+use crate::model::{Stabilization, Value};
+use dalembert_expr::Dim;
+use nalgebra::Vector2;
+
+/// Options of the analyses, as numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Start time [s].
+    pub start: f64,
+    /// End time [s].
+    pub end: f64,
+    /// Time between written results [s].
+    pub step: f64,
+    /// Relative error tolerance.
+    pub tolerance: f64,
+    /// Largest integration step [s].
+    pub max_step: f64,
+    /// How constraints are kept.
+    pub stabilization: Stabilization,
+    /// Baumgarte's alpha and beta [1/s].
+    pub baumgarte: [f64; 2],
+    /// Most Newton iterations.
+    pub max_iterations: usize,
+    /// Joints whose actuators produce the driven motion in `inverse`.
+    pub actuators: Vec<String>,
+    /// Independent coordinates chosen by the user.
+    pub independent: Vec<String>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            start: 0.0,
+            end: 1.0,
+            step: 0.01,
+            tolerance: 1e-8,
+            max_step: f64::INFINITY,
+            stabilization: Stabilization::Projection,
+            baumgarte: [50.0, 50.0],
+            max_iterations: 50,
+            actuators: Vec::new(),
+            independent: Vec::new(),
+        }
+    }
+}
+
+impl Options {
+    /// Instants of the written results: start, start + step, ..., end.
+    pub fn instants(&self) -> Vec<f64> {
+        let steps = ((self.end - self.start) / self.step * (1.0 + 1e-12)).floor() as usize;
+        let mut times: Vec<f64> = (0..=steps)
+            .map(|k| self.start + k as f64 * self.step)
+            .collect();
+        if let Some(last) = times.last_mut() {
+            if (self.end - *last).abs() <= 1e-9 * self.step {
+                *last = self.end;
+            } else {
+                times.push(self.end);
+            }
+        }
+        times
+    }
+}
+
+impl Context<'_> {
+    /// Resolves the options and gravity.
+    pub fn options(&mut self) {
+        let model = self.model;
+        let a = &model.analysis;
+        let owner = "analysis";
+        let mut number = |value: &Option<Value>, dim: Dim, key: &str| {
+            value
+                .as_ref()
+                .and_then(|v| self.number(v, dim, owner, &format!("analysis.{key}")))
+        };
+        let start = number(&a.start, Dim::TIME, "start").unwrap_or(0.0);
+        let end = number(&a.end, Dim::TIME, "end").unwrap_or(start + 1.0);
+        let step = number(&a.step, Dim::TIME, "step").unwrap_or((end - start) / 100.0);
+        let tolerance = number(&a.tolerance, Dim::NONE, "tolerance").unwrap_or(1e-8);
+        let max_step = number(&a.max_step, Dim::TIME, "max_step").unwrap_or(f64::INFINITY);
+        let mut baumgarte = [50.0, 50.0];
+        if let Some(values) = &a.baumgarte {
+            for (k, value) in values.iter().enumerate() {
+                let path = format!("analysis.baumgarte[{k}]");
+                if let Some(x) = self.number(value, Dim::FREQUENCY, owner, &path) {
+                    baumgarte[k] = x;
+                }
+            }
+        }
+        let mut check = |good: bool, key: &str, message: &str, help: &str| {
+            if !good {
+                let d = Diagnostic::error(
+                    "bad-option",
+                    format!("analysis.{key}"),
+                    format!("analysis: {message}"),
+                );
+                self.report(d.help(help));
+            }
+        };
+        check(
+            end > start,
+            "end",
+            &format!("end ({end} s) is not after start ({start} s)"),
+            "give a later end",
+        );
+        check(
+            step > 0.0,
+            "step",
+            "step must be positive",
+            "give a positive step",
+        );
+        check(
+            (1e-14..=0.1).contains(&tolerance),
+            "tolerance",
+            &format!("tolerance {tolerance} is not between 1e-14 and 0.1"),
+            "1e-8 suits most machines",
+        );
+        check(
+            max_step > 0.0,
+            "max_step",
+            "max_step must be positive",
+            "give a positive max_step",
+        );
+        check(
+            baumgarte.iter().all(|x| *x > 0.0),
+            "baumgarte",
+            "alpha and beta must be positive",
+            "50 and 50 per second is a usual choice",
+        );
+        if step > 0.0 && (end - start) / step > 1e7 {
+            check(
+                false,
+                "step",
+                "more than ten million instants would be written",
+                "give a larger step",
+            );
+        }
+        self.options = super::Options {
+            start,
+            end,
+            step,
+            tolerance,
+            max_step,
+            stabilization: a.stabilization.unwrap_or_default(),
+            baumgarte,
+            max_iterations: a.max_iterations.unwrap_or(50) as usize,
+            actuators: a.actuators.clone(),
+            independent: a.independent.clone(),
+        };
+        if let Some(g) = &model.info.gravity {
+            self.gravity = self
+                .vector(g, Dim::ACCELERATION, "model", "model.gravity")
+                .unwrap_or_else(Vector2::zeros);
+        }
+    }
+}

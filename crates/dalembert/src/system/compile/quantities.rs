@@ -1,0 +1,201 @@
+//! Scalar quantities that users name.
+
+use super::context::{Context, GlobalMeasure, JointPlace};
+use crate::diagnostic::Diagnostic;
+use crate::joint::MeasureKind;
+use crate::model::{CoordinateName, Point, Quantity};
+use dalembert_expr::Dim;
+use nalgebra::Vector2;
+
+impl MeasureKind {
+    /// Dimension of the value.
+    pub(super) fn dim(self) -> Dim {
+        if self.is_angle() {
+            Dim::NONE
+        } else {
+            Dim::LENGTH
+        }
+    }
+}
+
+impl Context<'_> {
+    /// The measure that a quantity stands for.
+    pub fn quantity(
+        &mut self,
+        quantity: &Quantity,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure> {
+        match quantity {
+            Quantity::Coordinate {
+                body,
+                at,
+                coordinate,
+            } => {
+                let place = self.place(body, owner, &format!("{path}.body"))?;
+                let at = match at {
+                    Some(at) => self.vector(at, Dim::LENGTH, owner, &format!("{path}.at"))?,
+                    None => Vector2::zeros(),
+                };
+                let kind = match coordinate {
+                    CoordinateName::X => MeasureKind::GroundX,
+                    CoordinateName::Y => MeasureKind::GroundY,
+                    CoordinateName::Angle => MeasureKind::Angle,
+                };
+                let second = self.marker(&place, at, 0.0);
+                Some(GlobalMeasure {
+                    kind,
+                    first: 0,
+                    second,
+                })
+            }
+            Quantity::Angle { joint } => self.joint_coordinate(joint, "angle", owner, path),
+            Quantity::Displacement { joint } => {
+                self.joint_coordinate(joint, "displacement", owner, path)
+            }
+            Quantity::RelativeAngle { bodies } => {
+                let [a, b] = [0, 1].map(|k| {
+                    let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"))?;
+                    Some(self.marker(&place, Vector2::zeros(), 0.0))
+                });
+                Some(GlobalMeasure {
+                    kind: MeasureKind::Angle,
+                    first: a?,
+                    second: b?,
+                })
+            }
+            Quantity::Distance { bodies, at } => {
+                let [first, second] = self.two_points(bodies, at, owner, path)?;
+                let m = GlobalMeasure {
+                    kind: MeasureKind::Distance,
+                    first,
+                    second,
+                };
+                self.nonzero_distance(m, owner, path)
+            }
+        }
+    }
+
+    /// Markers at one point of each of two bodies.
+    pub fn two_points(
+        &mut self,
+        bodies: &[String; 2],
+        at: &[Point; 2],
+        owner: &str,
+        path: &str,
+    ) -> Option<[usize; 2]> {
+        let [a, b] = [0, 1].map(|k| {
+            let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"));
+            let point = self.vector(&at[k], Dim::LENGTH, owner, &format!("{path}.at[{k}]"));
+            Some(self.marker(&place?, point?, 0.0))
+        });
+        Some([a?, b?])
+    }
+
+    /// Refuses a distance that is zero in the estimate: its direction would be undefined.
+    pub fn nonzero_distance(
+        &mut self,
+        m: GlobalMeasure,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure> {
+        if self.estimate(m) > 0.0 {
+            return Some(m);
+        }
+        self.report(
+            Diagnostic::error(
+                "zero-length",
+                path,
+                format!("{owner}: its two points coincide in the initial estimate, the direction between them is undefined"),
+            )
+            .help("move one of the points or the estimate of a body"),
+        );
+        None
+    }
+
+    /// A free coordinate of a joint by its name.
+    pub fn joint_coordinate(
+        &mut self,
+        joint: &str,
+        name: &str,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure> {
+        let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
+        if let Some(c) = place.coordinates.iter().find(|c| c.name == name) {
+            return Some(GlobalMeasure {
+                kind: c.measure.kind,
+                first: place.markers[c.measure.first],
+                second: place.markers[c.measure.second],
+            });
+        }
+        let has: Vec<&str> = place.coordinates.iter().map(|c| c.name).collect();
+        let help = if has.is_empty() {
+            "this kind of joint has no coordinate".to_owned()
+        } else {
+            format!("this joint has: {}", has.join(", "))
+        };
+        self.report(
+            Diagnostic::error(
+                "no-coordinate",
+                path,
+                format!("{owner}: joint '{joint}' has no {name}"),
+            )
+            .help(help),
+        );
+        None
+    }
+
+    /// The only free coordinate of a joint.
+    pub fn only_coordinate(
+        &mut self,
+        joint: &str,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure> {
+        let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
+        if let [c] = place.coordinates.as_slice() {
+            return Some(GlobalMeasure {
+                kind: c.measure.kind,
+                first: place.markers[c.measure.first],
+                second: place.markers[c.measure.second],
+            });
+        }
+        self.report(
+            Diagnostic::error(
+                "no-coordinate",
+                format!("{path}.joint"),
+                format!("{owner}: joint '{joint}' does not have exactly one coordinate"),
+            )
+            .help("use a revolute or prismatic joint, or a force between two points"),
+        );
+        None
+    }
+
+    fn joint_place(&mut self, joint: &str, owner: &str, path: &str) -> Option<JointPlace> {
+        if let Some(j) = self.joint_places.get(joint) {
+            return Some(j.clone());
+        }
+        // A joint that is in the model but could not be compiled has been reported already.
+        if self.model.joints.iter().any(|j| j.name == joint) {
+            return None;
+        }
+        let known: Vec<&str> = self.model.joints.iter().map(|j| j.name.as_str()).collect();
+        let help = super::context::suggestion(joint, &known).unwrap_or_else(|| {
+            if known.is_empty() {
+                "the model has no joints".to_owned()
+            } else {
+                format!("the joints are: {}", known.join(", "))
+            }
+        });
+        self.report(
+            Diagnostic::error(
+                "unknown-joint",
+                path,
+                format!("{owner}: there is no joint '{joint}'"),
+            )
+            .help(help),
+        );
+        None
+    }
+}

@@ -1,0 +1,16 @@
+//! Compiled systems: immutable indices and layouts. Everything that changes lives in a [`State`]
+//! or a [`Workspace`].
+
+mod body;
+mod element;
+mod state;
+mod system;
+mod workspace;
+
+pub mod compile;
+
+pub use body::BodyData;
+pub use element::{Coordinate, ElementData, ForceData, MarkerData, Phase, Role, TraceData};
+pub use state::State;
+pub use system::{RowRef, System};
+pub use workspace::Workspace;
