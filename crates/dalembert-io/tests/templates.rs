@@ -1,5 +1,7 @@
 //! The models to start from.
 
+use dalembert::analysis::Assembly;
+use dalembert::system::compile::compile;
 use dalembert_io::model_file::{parse_model, render, templates, write_model};
 
 #[test]
@@ -30,4 +32,25 @@ fn the_slider_crank_is_what_the_design_says() {
     assert_eq!(names, ["crank", "rod", "slider"]);
     assert_eq!(model.parameters["crank_length"], "150 mm".into());
     assert_eq!(model.parameters["rod_length"], "350 mm".into());
+}
+
+#[test]
+fn the_engine_accepts_templates_and_assembles_them_near_their_estimates() {
+    for template in templates() {
+        let model = parse_model(template.text, None).model.unwrap();
+        let compiled = compile(&model, &[]).unwrap_or_else(|e| panic!("{}: {e}", template.name));
+        assert_eq!(compiled.warnings, [], "{}", template.name);
+        let assembly = Assembly::default();
+        let (_, report) = assembly
+            .run(&compiled.system)
+            .unwrap_or_else(|e| panic!("{}: {e}", template.name));
+        for moved in report.moved {
+            let (distance, turn) = (moved.distance.abs(), moved.turn.abs());
+            assert!(
+                distance < 0.01 && turn < 0.01,
+                "{}: {moved:?}",
+                template.name
+            );
+        }
+    }
 }
