@@ -2,12 +2,17 @@
 //! statics, equations. Each analysis is a small struct of options with a `run`.
 
 mod assembly;
+mod dynamics;
 mod error;
+mod kinematics;
+mod massless;
 mod newton;
 mod recorder;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
+pub use dynamics::{Dynamics, DynamicsReport, Motion};
 pub use error::AnalysisError;
+pub use kinematics::{Kinematics, KinematicsRun};
 pub use newton::{NewtonOptions, NewtonReport};
-pub use recorder::Recorder;
+pub use recorder::{Extra, Recorder};
