@@ -115,6 +115,10 @@ fn check_unique(context: &Context<'_>) {
     }
 }
 
+/// A file with more mistakes than this has one mistake that repeats; comparing every unknown name
+/// with every known one would take long in a large file.
+const MOST_SUGGESTIONS: usize = 100;
+
 fn check_references(context: &Context<'_>) {
     let names = context.names.borrow();
     let of = |section: Section| -> BTreeSet<&str> {
@@ -127,6 +131,9 @@ fn check_references(context: &Context<'_>) {
             .collect()
     };
     let (bodies, joints) = (of(Section::Body), of(Section::Joint));
+    let sections: HashMap<&str, Section> =
+        names.iter().map(|n| (n.name.as_str(), n.section)).collect();
+    let mut suggestions = MOST_SUGGESTIONS;
     for used in context.references.borrow().iter() {
         let known = if used.section == Section::Body {
             &bodies
@@ -138,12 +145,15 @@ fn check_references(context: &Context<'_>) {
         }
         let word = used.section.word();
         let text = format!("there is no {word} \"{}\"", used.name);
-        let other = names.iter().find(|n| n.name == used.name);
-        let help = match (nearest(&used.name, known.iter().copied()), other) {
-            (_, Some(other)) => {
-                format!("\"{}\" is a {}", used.name, other.section.word())
-            }
-            (Some(near), None) => format!("did you mean \"{near}\"?"),
+        let near = if suggestions > 0 {
+            nearest(&used.name, known.iter().copied())
+        } else {
+            None
+        };
+        suggestions = suggestions.saturating_sub(1);
+        let help = match (sections.get(used.name.as_str()), near) {
+            (Some(other), _) => format!("\"{}\" is a {}", used.name, other.word()),
+            (None, Some(near)) => format!("did you mean \"{near}\"?"),
             (None, None) if known.is_empty() => format!("the model has no {word}"),
             (None, None) => format!("known: {}", listed(known.iter().copied().take(20))),
         };
