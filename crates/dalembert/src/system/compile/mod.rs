@@ -12,7 +12,7 @@ mod names;
 mod options;
 mod place;
 mod quantities;
-//mod tables;
+mod tables;
 
 pub use drawing::{Drawing, DrawnBody, DrawnElement, DrawnEnd, DrawnForm, DrawnShape};
 pub use options::Options;
@@ -57,7 +57,7 @@ pub fn compile(model: &Model, overrides: &[(String, Value)]) -> Result<Compiled,
         return Err(Diagnostics(context.diagnostics));
     }
     context.parameters();
-    //context.tables();
+    context.tables();
     context.options();
     context.bodies();
     context.traces();
