@@ -6,6 +6,7 @@
 mod published {
     pub mod harness;
 
+    mod shabana_dynamics;
     mod shabana_four_bar;
     mod shabana_kinematics;
     mod shabana_slider_crank;
