@@ -1,6 +1,6 @@
 //! The command line.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Multibody dynamics: describe a machine in a file, get its mobility, motion, forces and equilibrium.
@@ -21,6 +21,10 @@ pub enum Command {
     Kinematics(RunArgs),
     /// Forward dynamics: how the machine moves under its forces
     Simulate(RunArgs),
+    /// Driving forces and reactions of a driven machine; also with the actuators at other joints
+    Inverse(InverseArgs),
+    /// Write an animated page that opens in any browser
+    View(ViewArgs),
     /// Draw channels of a result file as SVG
     Plot(PlotArgs),
     /// Print the JSON Schema of model files (for completion in editors)
@@ -99,4 +103,40 @@ pub struct PlotArgs {
     /// Same scale on both axes (for paths of points)
     #[arg(long)]
     pub equal: bool,
+}
+
+/// Arguments of `inverse`.
+#[derive(Args, Debug)]
+pub struct InverseArgs {
+    /// Run.
+    #[command(flatten)]
+    pub run: RunArgs,
+    /// Joint that has an actuator instead of the driver; one for each driver
+    #[arg(long, value_name = "JOINT")]
+    pub actuator: Vec<String>,
+}
+
+/// What the page shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ViewAnalysis {
+    /// Kinematics where the drivers give the whole motion, else a simulation.
+    Auto,
+    /// Kinematics.
+    Kinematics,
+    /// Forward dynamics.
+    Simulate,
+}
+
+/// Arguments of `view`.
+#[derive(Args, Debug)]
+pub struct ViewArgs {
+    /// Run.
+    #[command(flatten)]
+    pub run: RunArgs,
+    /// Which motion
+    #[arg(long, value_enum, default_value_t = ViewAnalysis::Auto)]
+    pub analysis: ViewAnalysis,
+    /// HTML file; default beside the model
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<PathBuf>,
 }

@@ -2,7 +2,6 @@
 
 use crate::arguments::{ModelArgs, RunArgs};
 use crate::failure::Failure;
-use dalembert::diagnostic::Diagnostic;
 use dalembert::model::{Model, Value};
 use dalembert::system::compile::{Compiled, compile};
 use dalembert_io::model_file::{Parsed, parse_model, render, to_json};
@@ -27,62 +26,39 @@ pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Fai
     })?;
     let overrides = overrides(&args.set)?;
     let folder = args.model.parent();
-    let Parsed {
-        model,
-        draft,
-        source,
-        mut diagnostics,
-    } = parse_model(&text, folder);
+    let mut parsed = parse_model(&text, folder);
     let name = args.model.display().to_string();
-    let show = |diagnostics: &[Diagnostic]| {
+    let show = |parsed: &Parsed| {
         if args.json {
-            format!("{:#}", to_json(diagnostics, &source, &name, &text))
+            format!("{:#}", to_json(&parsed.diagnostics, &parsed.source, &name, &text))
         } else {
-            render(
-                diagnostics,
-                &source,
-                &name,
-                &text,
-                std::io::stderr().is_terminal(),
-            )
+            let color = std::io::stderr().is_terminal();
+            render(&parsed.diagnostics, &parsed.source, &name, &text, color)
         }
     };
-    let Some(mut model) = model else {
-        // Go on as far as the draft goes, to report the mistakes inside expressions too.
-        if let Some(mut draft) = draft {
-            change(&mut draft);
-            if let Err(more) = compile(&draft, &overrides) {
-                for d in more.0 {
-                    let known = diagnostics.iter().any(|x| {
-                        x.path == d.path
-                            || d.path.starts_with(&format!("{}.", x.path))
-                            || x.path.starts_with(&d.path)
-                    });
-                    if d.span.is_some() && !known {
-                        diagnostics.push(d);
-                    }
-                }
-            }
-        }
-        return Err(Failure::Model(show(&diagnostics)));
+    let Some(mut draft) = parsed.draft.clone() else {
+        return Err(Failure::Model(show(&parsed)));
     };
-    change(&mut model);
-    match compile(&model, &overrides) {
+    // The draft stands in for a model with mistakes, to find those inside expressions too.
+    change(&mut draft);
+    let compiled = match compile(&draft, &overrides) {
         Ok(compiled) => {
-            diagnostics.extend(compiled.warnings.iter().cloned());
-            if !diagnostics.is_empty() {
-                eprintln!("{}", show(&diagnostics));
-            }
-            Ok(Loaded {
-                model,
-                compiled,
-                text,
-            })
+            parsed.add(compiled.warnings.clone());
+            Some(compiled)
         }
         Err(errors) => {
-            diagnostics.extend(errors.0);
-            Err(Failure::Model(show(&diagnostics)))
+            parsed.add(errors.0);
+            None
         }
+    };
+    match (&parsed.model, compiled) {
+        (Some(_), Some(compiled)) => {
+            if !parsed.diagnostics.is_empty() {
+                eprintln!("{}", show(&parsed));
+            }
+            Ok(Loaded { model: draft, compiled, text })
+        }
+        _ => Err(Failure::Model(show(&parsed))),
     }
 }
 

@@ -11,6 +11,7 @@ mod load;
 mod output;
 mod scene;
 mod summary;
+mod viewer;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -22,6 +23,8 @@ fn main() -> ExitCode {
         Command::New(a) => commands::new::run(&a),
         Command::Kinematics(a) => commands::kinematics::run(&a),
         Command::Simulate(a) => commands::simulate::run(&a),
+        Command::Inverse(a) => commands::inverse::run(&a),
+        Command::View(a) => commands::view::run(&a),
         Command::Plot(a) => commands::plot::run(&a),
         Command::Schema => commands::schema::run(),
     };

@@ -4,7 +4,7 @@ use crate::arguments::RunArgs;
 use crate::failure::Failure;
 use crate::load::{Loaded, beside};
 use dalembert::results::Results;
-use dalembert_io::plot::{Plot, Series};
+use dalembert_io::plot::Plot;
 use dalembert_io::result_file::{Meta, select, write};
 use std::path::{Path, PathBuf};
 
@@ -63,7 +63,7 @@ fn draw(results: &Results, patterns: &[String], path: &Path) -> Result<(), Failu
     let Some(time) = results.channels.first() else {
         return Err(Failure::Usage("there are no results to plot".to_owned()));
     };
-    let plot: Plot = Plot::of_channels(&results.model, time, &picked);
+    let plot = Plot::of_channels(&results.model, time, &picked);
     write_text(path, &plot.to_svg())
 }
 
@@ -74,7 +74,3 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
         cause: format!("cannot be written: {e}"),
     })
 }
-
-/// A series for a plot from a channel.
-#[allow(dead_code)]
-pub type PlotSeries = Series;

@@ -290,7 +290,7 @@ fn bad_names() {
 
 #[test]
 fn names_are_unique_over_all_sections() {
-    let help = "choose another name: all elements and parameters share one name space";
+    let help = "choose another name: all elements share one name space";
     check(
         "[parameters]\ncrank = 1\nt = 2\n[[body]]\nname = \"crank\"\n[[body]]\nname = \"ground\"\n[[body]]\nname = \"B\"\n[[trace]]\nname = \"B\"\nbody = \"B\"\n",
         &[

@@ -1,7 +1,8 @@
 //! What a caller gets besides the model: a draft, places in the file, and reports.
 
 use dalembert::diagnostic::Diagnostic;
-use dalembert_io::model_file::{parse_model, render, to_json};
+use dalembert::system::compile::compile;
+use dalembert_io::model_file::{line_column, parse_model, render, to_json};
 
 #[test]
 fn a_model_with_mistakes_is_a_draft_with_all_its_elements() {
@@ -10,6 +11,62 @@ fn a_model_with_mistakes_is_a_draft_with_all_its_elements() {
     let parsed = parse_model(text, None);
     assert_eq!(parsed.model, None);
     assert_eq!(parsed.draft.unwrap().bodies.len(), 2);
+}
+
+#[test]
+fn without_all_elements_there_is_no_draft() {
+    let start = "[model]\nname = \"m\"\n";
+    for lost in [
+        "[[joint]]\nname = \"A\"\nkind = \"pin\"\n",
+        "body = 3\n",
+        "[body]\n",
+        "[[",
+        "body = [1]\n",
+    ] {
+        let text = if lost.starts_with('[') {
+            format!("{start}{lost}")
+        } else {
+            format!("{lost}{start}")
+        };
+        let parsed = parse_model(&text, None);
+        assert!(parsed.draft.is_none() && parsed.model.is_none(), "{text}");
+        assert_eq!(parsed.diagnostics.len(), 1, "{text}");
+    }
+}
+
+/// Codes after the findings of the engine are added.
+fn codes_with_engine(text: &str) -> Vec<String> {
+    let mut parsed = parse_model(text, None);
+    let findings = match compile(parsed.draft.as_ref().unwrap(), &[]) {
+        Ok(compiled) => compiled.warnings,
+        Err(errors) => errors.0,
+    };
+    parsed.add(findings);
+    assert_eq!(
+        parsed.model.is_none(),
+        parsed.diagnostics.iter().any(Diagnostic::is_error)
+    );
+    let place = |d: &Diagnostic| {
+        let (line, column) = line_column(text, parsed.source.locate_diagnostic(d).start);
+        format!("{} {line}:{column}", d.code)
+    };
+    parsed.diagnostics.iter().map(place).collect()
+}
+
+#[test]
+fn mistakes_of_expressions_are_reported_together_with_the_others() {
+    let text = "[model]\nname = \"m\"\n[parameters]\nm = \"2 kg\"\n[[body]]\nname = \"a\"\nmass = \"2 * mm\"\ninertia = 1\n[[body]]\nname = \"b\"\nmas = 1\n";
+    let codes = codes_with_engine(text);
+    // The body without a mass has a misspelt one: that is said once.
+    assert_eq!(codes.len(), 2, "{codes:?}");
+    assert!(codes[0].ends_with(" 7:13"), "{codes:?}");
+    assert_eq!(codes[1], "unknown-key 11:1");
+    // A lost parameter makes every expression wrong: only the parameter is reported.
+    let text = text.replace("m = \"2 kg\"", "m = []");
+    assert_eq!(
+        codes_with_engine(&text),
+        ["wrong-type 4:5", "unknown-key 11:1"]
+    );
 }
 
 #[test]

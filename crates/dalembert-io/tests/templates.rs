@@ -1,6 +1,6 @@
 //! The models to start from.
 
-use dalembert::analysis::Assembly;
+use dalembert::analysis::{Assembly, Dynamics, Kinematics};
 use dalembert::system::compile::compile;
 use dalembert_io::model_file::{parse_model, render, templates, write_model};
 
@@ -52,5 +52,65 @@ fn the_engine_accepts_templates_and_assembles_them_near_their_estimates() {
                 template.name
             );
         }
+    }
+}
+
+#[test]
+fn driven_templates_move_as_their_comments_say() {
+    for template in templates() {
+        let model = parse_model(template.text, None).model.unwrap();
+        if model.drivers.is_empty() {
+            continue;
+        }
+        let compiled = compile(&model, &[]).unwrap();
+        let run = Kinematics {
+            instants: compiled.options.instants(),
+            ..Kinematics::default()
+        }
+        .run(&compiled.system)
+        .unwrap();
+        assert!(run.stopped.is_none(), "{}", template.name);
+        let range = |name: &str| {
+            let values = &run.results.channel(name).unwrap().values;
+            values.iter().copied().fold(f64::MIN, f64::max)
+                - values.iter().copied().fold(f64::MAX, f64::min)
+        };
+        let turn = std::f64::consts::TAU;
+        let (measured, expected) = match template.name {
+            // The stroke of a centred slider crank is twice its crank; 84 ms are two turns.
+            "slider-crank" => (range("slider.x"), 0.3),
+            "four-bar" => (range("crank.angle"), 2.0 * turn),
+            "cam-follower" => (range("follower.y"), 0.012),
+            "planetary-gear" => (range("carrier.angle"), turn),
+            name => panic!("what does {name} do?"),
+        };
+        // The stroke is found between the instants: half a step from the dead centre of the crank
+        // costs r (1 + r/l) phi^2 / 2 with phi = 150/s * 0.1 ms.
+        let tolerance = if template.name == "slider-crank" {
+            3e-5
+        } else {
+            1e-9
+        };
+        assert!(
+            (measured - expected).abs() < tolerance,
+            "{}: {measured}",
+            template.name
+        );
+    }
+}
+
+#[test]
+fn free_templates_run_to_their_end() {
+    for template in templates() {
+        let model = parse_model(template.text, None).model.unwrap();
+        if !model.drivers.is_empty() {
+            continue;
+        }
+        let compiled = compile(&model, &[]).unwrap();
+        let run = Dynamics::new(&compiled.options)
+            .run(&compiled.system, &mut |_| true)
+            .unwrap();
+        assert!(run.stopped.is_none(), "{}", template.name);
+        assert_eq!(run.results.len(), compiled.options.instants().len());
     }
 }

@@ -3,7 +3,7 @@
 use crate::arguments::RunArgs;
 use crate::failure::Failure;
 use crate::load::{apply, load};
-use crate::{output, summary};
+use crate::summary;
 use dalembert::analysis::{Kinematics, NewtonOptions};
 
 /// Runs the kinematic analysis and prints its summary.

@@ -6,6 +6,7 @@ mod item;
 mod line_column;
 mod lower;
 mod names;
+mod parsed;
 mod report;
 mod schema;
 mod source_map;
@@ -15,6 +16,7 @@ mod templates;
 mod write;
 
 pub use line_column::line_column;
+pub use parsed::Parsed;
 pub use report::{render, to_json};
 pub use schema::schema;
 pub use source_map::SourceMap;
@@ -23,25 +25,9 @@ pub use write::write_model;
 
 use context::Context;
 use dalembert::diagnostic::Diagnostic;
-use dalembert::model::Model;
 use line_column::Lines;
 use std::path::Path;
 use toml::de::DeTable;
-
-/// What reading a model file gives.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parsed {
-    /// The model, if the file has no errors.
-    pub model: Option<Model>,
-    /// The model as far as it could be read, with placeholders (0, empty texts) where it could
-    /// not: only for finding more mistakes, such as those inside expressions. `None` if the file
-    /// is not TOML.
-    pub draft: Option<Model>,
-    /// Where everything stands in the file.
-    pub source: SourceMap,
-    /// All findings, in the order of the file.
-    pub diagnostics: Vec<Diagnostic>,
-}
 
 /// Reads the text of a model file. `folder` is where the files lie that the model names.
 ///
@@ -72,7 +58,7 @@ pub fn parse_model(text: &str, folder: Option<&Path>) -> Parsed {
     let usable = !diagnostics.iter().any(Diagnostic::is_error);
     Parsed {
         model: usable.then(|| draft.clone()),
-        draft: Some(draft),
+        draft: (!context.lost.get()).then_some(draft),
         source,
         diagnostics,
     }

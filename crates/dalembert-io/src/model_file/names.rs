@@ -71,8 +71,8 @@ pub(super) fn check(context: &Context<'_>) {
     check_references(context);
 }
 
-/// Bodies, joints, parameters and all the others share one name space: channels and expressions
-/// speak of all of them.
+/// All elements share one name space: channels and expressions speak of all of them. Parameters
+/// have their own: `crank` is the parameter, `crank.angle` a quantity of the body.
 fn check_unique(context: &Context<'_>) {
     let names = context.names.borrow();
     let mut first: HashMap<&str, &NameOf> = HashMap::new();
@@ -87,6 +87,8 @@ fn check_unique(context: &Context<'_>) {
                 "reserved-name",
                 "the name \"t\" belongs to the time".to_owned(),
             ))
+        } else if name.section == Section::Parameter {
+            None
         } else {
             first.get(name.name.as_str()).map(|other| {
                 (
@@ -100,13 +102,15 @@ fn check_unique(context: &Context<'_>) {
                 )
             })
         };
-        first.entry(&name.name).or_insert(name);
+        if name.section != Section::Parameter {
+            first.entry(&name.name).or_insert(name);
+        }
         let Some((code, text)) = mistake else {
             continue;
         };
         let message = format!("{}: {text}", name.place.label);
         let diagnostic = Diagnostic::error(code, name.place.path.clone(), message)
-            .help("choose another name: all elements and parameters share one name space");
+            .help("choose another name: all elements share one name space");
         if name.section == Section::Parameter {
             context.report_key(diagnostic);
         } else {

@@ -127,6 +127,50 @@ fn scaled_jacobian(system: &System<Planar>, ws: &Workspace<Planar>) -> DMatrix<f
     c
 }
 
+/// The forces of a known motion in a machine with actuators instead of drivers.
+struct Actuated<'a> {
+    system: &'a System<Planar>,
+    ws: Workspace<Planar>,
+    weights: Weights,
+}
+
+impl<'a> Actuated<'a> {
+    fn new(system: &'a System<Planar>) -> Self {
+        Self { ws: Workspace::new(system), weights: Weights::even(system), system }
+    }
+
+    fn solve(&mut self, state: &State, a: &[f64]) -> Result<(), AnalysisError> {
+        let (system, ws) = (self.system, &mut self.ws);
+        system.update_markers(&state.q, &state.v, ws);
+        system.evaluate_constraints(state.t, ws);
+        system.evaluate_forces(state.t, ws);
+        ws.factor(&self.weights.inverse);
+        ws.a.copy_from_slice(a);
+        let missing = solve_multipliers(system, ws, &self.weights);
+        // The rows of the actuators do not hold a value: no violation to report.
+        for e in system.elements.iter().filter(|e| e.role == Role::Driver) {
+            ws.value[e.rows.clone()].fill(0.0);
+            let rate: f64 = e.coordinates.iter().map(|c| {
+                let (i, j) = (e.markers[c.measure.first], e.markers[c.measure.second]);
+                c.measure.kind.evaluate(&ws.markers[i], &ws.markers[j]).rate
+            }).sum();
+            // The recorder takes the power of a driver from C_t = -(rate).
+            ws.time[e.rows.clone()].fill(-rate);
+        }
+        if missing <= 1e-8 {
+            return Ok(());
+        }
+        let names: Vec<&str> =
+            system.elements.iter().filter(|e| e.role == Role::Driver).map(|e| e.name.as_str()).collect();
+        Err(AnalysisError::Singular {
+            time: state.t,
+            last: state.t,
+            kind: "actuators without a grip",
+            detail: format!("{} cannot produce this motion in this pose; choose other joints", names.join(", ")),
+        })
+    }
+}
+
 struct Runner<'a> {
     system: &'a System<Planar>,
     ws: Workspace<Planar>,
@@ -145,6 +189,23 @@ impl Kinematics {
     /// The machine cannot be assembled, or is not driven in every freedom. A singular pose on the
     /// way ends the run with what was computed before it (`stopped`).
     pub fn run(&self, system: &System<Planar>) -> Result<KinematicsRun, AnalysisError> {
+        self.run_with(system, None)
+    }
+
+    /// The same motion, with the forces of a machine whose drivers are replaced by actuators.
+    pub(super) fn run_actuated(
+        &self,
+        system: &System<Planar>,
+        actuated: &System<Planar>,
+    ) -> Result<KinematicsRun, AnalysisError> {
+        self.run_with(system, Some(actuated))
+    }
+
+    fn run_with(
+        &self,
+        system: &System<Planar>,
+        actuated: Option<&System<Planar>>,
+    ) -> Result<KinematicsRun, AnalysisError> {
         let (mut state, assembly) = Assembly {
             newton: self.newton,
         }
@@ -153,6 +214,7 @@ impl Kinematics {
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
         let mut recorder = Recorder::new(true);
+        let mut forces = actuated.map(Actuated::new);
         let mut stopped = None;
         for (k, &t) in self.instants.iter().enumerate() {
             if k > 0
@@ -161,8 +223,16 @@ impl Kinematics {
                 stopped = Some(error);
                 break;
             }
-            runner.forces(&state);
-            recorder.record(&running, &runner.ws, &state, Extra::default());
+            if let Some(forces) = &mut forces {
+                if let Err(error) = forces.solve(&state, &runner.ws.a) {
+                    stopped = Some(error);
+                    break;
+                }
+                recorder.record(forces.system, &forces.ws, &state, Extra::default());
+            } else {
+                runner.forces(&state);
+                recorder.record(&running, &runner.ws, &state, Extra::default());
+            }
         }
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
@@ -382,12 +452,13 @@ fn svd_null_part(values: &nalgebra::DVector<f64>, v_t: &DMatrix<f64>, k: usize) 
 }
 
 /// Solves C_q^T lambda = Q_e - M a in the metric of the weights, with the last factors, for the
-/// accelerations in the workspace; keeps them.
+/// accelerations in the workspace; keeps them. Returns the part of the forces that the rows cannot
+/// carry, relative to all of them.
 pub(super) fn solve_multipliers(
     system: &System<Planar>,
     ws: &mut Workspace<Planar>,
     weights: &Weights,
-) {
+) -> f64 {
     // [W C_q^T; C_q 0] [x; lambda] = [Q_e - M a; 0]: with C_q of full column rank x = 0.
     let a = ws.a.clone();
     let mut f = ws.force.clone();
@@ -399,4 +470,13 @@ pub(super) fn solve_multipliers(
     ws.rhs.fill(0.0);
     ws.solve(&weights.blocks, &f);
     ws.a.copy_from_slice(&a);
+    let mut left = f.clone();
+    system.jac_transpose_add(ws, -1.0, &ws.lambda, &mut left);
+    let scale = |x: &[f64]| -> f64 {
+        let force = (0..system.bodies.len())
+            .map(|b| (x[3 * b].abs() + x[3 * b + 1].abs()) * system.size + x[3 * b + 2].abs());
+        force.fold(0.0, f64::max)
+    };
+    let all = scale(&f);
+    if all > 0.0 { scale(&left) / all } else { 0.0 }
 }

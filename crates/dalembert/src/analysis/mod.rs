@@ -4,6 +4,7 @@
 mod assembly;
 mod dynamics;
 mod error;
+mod inverse;
 mod kinematics;
 mod massless;
 mod newton;
@@ -13,6 +14,7 @@ mod weights;
 pub use assembly::{Assembly, AssemblyReport, Moved};
 pub use dynamics::{Dynamics, DynamicsReport, Motion};
 pub use error::AnalysisError;
+pub use inverse::Inverse;
 pub use kinematics::{Kinematics, KinematicsRun};
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::{Extra, Recorder};
