@@ -4,6 +4,7 @@
 //! given instants. Sources are named at each case.
 
 mod published {
+    mod benchmarks;
     pub mod harness;
 
     mod shabana_dynamics;
