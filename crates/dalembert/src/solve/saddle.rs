@@ -2,9 +2,10 @@
 
 use super::auxiliary::AuxElement;
 use super::factored::Factored;
-use super::kernel::{Size, add_product, with_dof};
+use super::kernel::{Size, with_dof};
 use super::ldl::{BlockLdl, Factor, Floor};
-use super::pattern::{Incidence, Pattern};
+use super::pattern::Pattern;
+use super::products::Products;
 use super::shape::SaddleShape;
 
 /// Rows whose pivot ratio is below this are dependent: an angle of 3e-6 to the other rows.
@@ -22,17 +23,6 @@ const REGULARIZATION: f64 = 1e-9;
 
 /// Diagonals below this part of the largest one belong to rows without gradient.
 const ZERO_ROW: f64 = 1e-24;
-
-/// One product `W_a J_b^T` that goes into a block of the reduced matrix.
-#[derive(Clone, Copy, Debug)]
-struct Pair {
-    /// Where the block of the rows starts in the Jacobian's values, and its rows.
-    row: (usize, usize),
-    /// The same for the columns.
-    column: (usize, usize),
-    /// Where the product goes.
-    target: usize,
-}
 
 /// Solver of `[M J^T 0; J 0 Js; 0 Js^T 0] [a; l; s] = [f; g; h]` on a fixed pattern.
 ///
@@ -53,7 +43,7 @@ pub struct Saddle {
     pub(super) plain: Factor,
     /// Factor with a part of the diagonal added; valid while rows are missing from the plain one.
     pub(super) lifted: Factor,
-    pairs: Vec<Pair>,
+    products: Products,
     pub(super) auxiliaries: Vec<AuxElement>,
     tolerance: f64,
     pub(super) mass_inverse: Vec<f64>,
@@ -90,7 +80,7 @@ impl Saddle {
             .collect();
         let (rows, jac_len) = (pattern.rows(), pattern.jac_len());
         Self {
-            pairs: pairs(&pattern, &ldl),
+            products: Products::new(&pattern, &ldl),
             plain: ldl.allocate(),
             lifted: ldl.allocate(),
             tolerance: DEPENDENT_PIVOT,
@@ -290,16 +280,7 @@ impl Saddle {
         };
         let values = &mut factor.values[..];
         values.fill(0.0);
-        for pair in &self.pairs {
-            let (a, b) = (&self.w[pair.row.0..], &jac[pair.column.0..]);
-            add_product(
-                (pair.row.1, pair.column.1, dof),
-                1.0,
-                &mut values[pair.target..],
-                a,
-                b,
-            );
-        }
+        self.products.add(dof, &self.w, jac, values);
     }
 
     /// Finds the weights that make residuals of rows and auxiliaries comparable.
@@ -396,42 +377,4 @@ impl Saddle {
             list.push(named);
         }
     }
-}
-
-/// All products of two blocks on the same body, with the place of their sum.
-fn pairs(pattern: &Pattern, ldl: &BlockLdl) -> Vec<Pair> {
-    let mut on_body: Vec<Vec<usize>> = vec![Vec::new(); pattern.shape().bodies];
-    for (number, block) in pattern.incidences.iter().enumerate() {
-        on_body[block.body].push(number);
-    }
-    let element = |number: usize| -> &Incidence { &pattern.incidences[number] };
-    let mut pairs = Vec::new();
-    for list in &on_body {
-        for (at, &first) in list.iter().enumerate() {
-            for &second in &list[at..] {
-                let (target, upright) = ldl.block(element(first).element, element(second).element);
-                let side = |number: usize| (element(number).jac, element(number).rows);
-                let (row, column) = if upright {
-                    (side(first), side(second))
-                } else {
-                    (side(second), side(first))
-                };
-                pairs.push(Pair {
-                    row,
-                    column,
-                    target,
-                });
-                if first != second && element(first).element == element(second).element {
-                    // One body in two slots of one element: both cross terms belong to the diagonal block.
-                    pairs.push(Pair {
-                        row: column,
-                        column: row,
-                        target,
-                    });
-                }
-            }
-        }
-    }
-    pairs.sort_by_key(|pair| pair.target);
-    pairs
 }
