@@ -173,7 +173,7 @@ impl BlockLdl {
         let (diagonal, below) = done[self.diagonal[k]..].split_at_mut(n * n);
         let inverse = &mut factor.inverse_pivot[row..row + n];
         let ratio = &mut factor.ratio[row..row + n];
-        let noise = &mut factor.noise;
+        let noise = &mut factor.noise[..];
         let weight = &weight[row..row + n];
         for j in 0..n {
             let pivot = diagonal[j * n + j];
@@ -190,15 +190,21 @@ impl BlockLdl {
             };
             // An error e of this pivot becomes an error L^2 e of the pivots below.
             noise[row + j] += ROUNDING * pivot;
-            for i in j + 1..n {
-                let multiplier = diagonal[i * n + j] * inverse[j];
-                noise[row + i] += multiplier * multiplier * noise[row + j];
-                for q in j + 1..=i {
-                    diagonal[i * n + q] -= multiplier * diagonal[q * n + j];
+            for i in 0..n {
+                if i > j {
+                    let multiplier = diagonal[i * n + j] * inverse[j];
+                    noise[row + i] += multiplier * multiplier * noise[row + j];
+                    for q in 0..n {
+                        if q > j && q <= i {
+                            diagonal[i * n + q] -= multiplier * diagonal[q * n + j];
+                        }
+                    }
                 }
             }
-            for i in j + 1..n {
-                diagonal[i * n + j] *= inverse[j];
+            for i in 0..n {
+                if i > j {
+                    diagonal[i * n + j] *= inverse[j];
+                }
             }
         }
         // Each row b of a block below: x = b L^-T goes to `scaled`, x D^-1 stays as the factor.
@@ -209,8 +215,11 @@ impl BlockLdl {
         {
             for j in 0..n {
                 let mut x = line[j];
-                for p in 0..j {
-                    x -= keep[p] * diagonal[j * n + p];
+                // Fixed bounds let the compiler unroll the triangle.
+                for p in 0..n {
+                    if p < j {
+                        x -= keep[p] * diagonal[j * n + p];
+                    }
                 }
                 keep[j] = x;
             }
@@ -286,8 +295,10 @@ impl BlockLdl {
         let diagonal = &factor.values[self.diagonal[k]..][..n * n];
         for i in 0..n {
             let mut sum = own[i];
-            for j in 0..i {
-                sum -= diagonal[i * n + j] * local[j];
+            for j in 0..n {
+                if j < i {
+                    sum -= diagonal[i * n + j] * local[j];
+                }
             }
             local[i] = sum;
             own[i] = sum;
@@ -333,8 +344,10 @@ impl BlockLdl {
         }
         let diagonal = &factor.values[self.diagonal[k]..][..n * n];
         for i in (0..n).rev() {
-            for j in 0..i {
-                local[j] -= diagonal[i * n + j] * local[i];
+            for j in 0..n {
+                if j < i {
+                    local[j] -= diagonal[i * n + j] * local[i];
+                }
             }
         }
         x[row..][..n].copy_from_slice(local);
