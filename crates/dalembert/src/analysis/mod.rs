@@ -8,6 +8,7 @@ mod kinematics;
 mod massless;
 mod newton;
 mod recorder;
+mod statics;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
@@ -16,3 +17,7 @@ pub use error::AnalysisError;
 pub use kinematics::{Kinematics, KinematicsRun};
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::{Extra, Recorder};
+pub use statics::{
+    Equilibrium, HoldingLoad, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown,
+    holding_loads,
+};
