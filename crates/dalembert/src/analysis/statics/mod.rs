@@ -73,6 +73,9 @@ impl Default for Statics {
 
 /// Poses closer than this are one equilibrium.
 const SAME: f64 = 1e-6;
+/// Unbalanced force, relative to the largest, at which the second route takes over from the walk
+/// downhill.
+const NEAR: f64 = 1e-2;
 /// Most equilibria that are kept.
 const MOST: usize = 64;
 
@@ -81,6 +84,8 @@ struct Found {
     equilibria: Vec<Equilibrium>,
     /// Elastic energies, to tell poses apart that differ by whole turns.
     stored: Vec<f64>,
+    /// The largest force that any run met.
+    scale: f64,
     /// Ways down from unstable equilibria that have not been tried.
     exits: Vec<(Vec<f64>, DVector<f64>)>,
 }
@@ -99,6 +104,7 @@ impl Statics {
         let mut found = Found {
             equilibria: Vec::new(),
             stored: Vec::new(),
+            scale: 0.0,
             exits: Vec::new(),
         };
         // From the estimate itself errors count; from other poses they only mean that there is
@@ -166,7 +172,12 @@ impl Statics {
                 reduced::solve(problem, from, goal, self.tolerance, self.max_iterations)
             }
             Route::Multipliers => {
-                multipliers::solve(problem, from, self.tolerance, self.max_iterations)
+                // Newton's method on the whole system knows no downhill: it takes over near the end.
+                let near = match goal {
+                    Goal::Rest => reduced::solve(problem, from, goal, NEAR, self.max_iterations)?.q,
+                    Goal::Any => from.to_vec(),
+                };
+                multipliers::solve(problem, &near, self.tolerance, self.max_iterations)
             }
         }
     }
@@ -178,13 +189,8 @@ impl Statics {
         estimate: &[f64],
         from: &[f64],
     ) -> Result<(), AnalysisError> {
-        let goals: &[Goal] = match self.route {
-            Route::Reduced => &[Goal::Rest, Goal::Any],
-            // Newton's method on the whole system knows no downhill.
-            Route::Multipliers => &[Goal::Any],
-        };
-        for goal in goals {
-            if let Ok(solution) = self.solve(problem, from, *goal) {
+        for goal in [Goal::Rest, Goal::Any] {
+            if let Ok(solution) = self.solve(problem, from, goal) {
                 self.keep(problem, found, estimate, &solution)?;
             }
         }
@@ -219,7 +225,8 @@ impl Statics {
         let verdict = judge(problem, solution)?;
         problem.evaluate(&solution.q)?;
         let (stored, potential) = (problem.stored(), problem.potential());
-        let scale = problem.force_scale();
+        found.scale = found.scale.max(solution.scale);
+        let scale = found.scale;
         let same = |x: f64, y: f64| (x - y).abs() <= 1e-8 * (scale + x.abs());
         let known = found
             .equilibria

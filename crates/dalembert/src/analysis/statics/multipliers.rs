@@ -67,6 +67,7 @@ pub(super) fn solve(
         matrix.view_mut((0, n), (n, m)).copy_from(&-c.transpose());
         matrix.view_mut((n, 0), (m, n)).copy_from(&c);
         let step = least_squares(problem, &matrix, &-&r, SINGULAR)?;
+        let answers = (&matrix * &step + &r).norm() <= 1e-3 * size;
         let dq = step.rows(0, n).into_owned();
         let dl = step.rows(n, m) * unit;
         iterations += 1;
@@ -90,7 +91,7 @@ pub(super) fn solve(
         let Some(next) = next else {
             return finish(problem, q, scale, iterations, met);
         };
-        tiny_step = full && dq.amax() <= 1e-10;
+        tiny_step = full && answers && dq.amax() <= 1e-10;
         (q, lambda, r) = next;
         scale = scale.max(problem.force_scale());
         polished += usize::from(met);
@@ -115,6 +116,7 @@ fn finish(
         lambda: motions.multipliers(&force),
         residual: if scale > 0.0 { size / scale } else { size },
         unbalanced,
+        scale,
         q,
         iterations,
         converged,

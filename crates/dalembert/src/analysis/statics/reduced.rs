@@ -69,6 +69,8 @@ pub(super) fn solve(
             Goal::Any => newton(problem, &k, &at.residual)?,
             Goal::Rest => downhill(problem, &k, &at.residual, scale)?,
         };
+        // A singular stiffness that cannot answer the force gives a small step as well.
+        let answers = (&k * &step - &at.residual).norm() <= 1e-3 * size;
         let step = &at.motions.basis * step;
         iterations += 1;
         let mut factor = step_limit(problem.system, &step);
@@ -90,7 +92,7 @@ pub(super) fn solve(
             Some(next) => {
                 // A whole Newton step that does not move anything: the residual is rounding, also
                 // where no force gives it a scale (a spring at its free length).
-                tiny_step = full && step.amax() <= 1e-10 && next.residual.norm() <= size;
+                tiny_step = full && answers && step.amax() <= 1e-10 && next.residual.norm() <= size;
                 at = next;
                 scale = scale.max(at.scale);
                 polished += usize::from(met);
@@ -107,6 +109,7 @@ fn finish(at: Point, scale: f64, iterations: usize, converged: bool) -> Solution
         residual: if scale > 0.0 { size / scale } else { size },
         q: at.q,
         lambda: at.lambda,
+        scale,
         iterations,
         converged,
     }

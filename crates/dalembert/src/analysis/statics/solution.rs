@@ -20,6 +20,8 @@ pub(super) struct Solution {
     pub unbalanced: DVector<f64>,
     /// Its norm relative to the largest force.
     pub residual: f64,
+    /// The largest force met on the way, scaled.
+    pub scale: f64,
     pub iterations: usize,
     pub converged: bool,
 }

@@ -88,6 +88,9 @@ pub(super) fn principal(
     k: &DMatrix<f64>,
 ) -> Result<(DVector<f64>, DMatrix<f64>), AnalysisError> {
     let n = k.nrows();
+    if n == 0 {
+        return Ok((DVector::zeros(0), DMatrix::zeros(0, 0)));
+    }
     let symmetric = 0.5 * (k + k.transpose());
     if symmetric.iter().any(|x| !x.is_finite()) {
         return Err(problem.rank_error(RankError::NoConvergence));
