@@ -177,9 +177,9 @@ fn a_pinned_rod() {
 #[test]
 fn a_three_link_chain() {
     let angles = [
-        0.7853981633974483_f64,
-        0.5235987755982988,
-        0.7853981633974483,
+        std::f64::consts::FRAC_PI_4,
+        std::f64::consts::FRAC_PI_6,
+        std::f64::consts::FRAC_PI_4,
     ];
     let names = ["one", "two", "three"];
     let (mut from, mut bodies, mut joints, mut forces) = ([0.0, 0.0], vec![], vec![], vec![]);

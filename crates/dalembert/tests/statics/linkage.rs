@@ -117,3 +117,33 @@ fn a_two_link_arm_balances_moments_up_to_a_limit() {
         assert!(error.to_string().contains("round and round"), "{error}");
     }
 }
+
+/// An eccentric disc under a flat follower: M = W e cos(angle); the surface parameter of the cam is
+/// an unknown of its own.
+#[test]
+fn a_cam_balances_the_weight_of_its_follower() {
+    let (eccentricity, weight, moment) = (0.02_f64, 3.0 * G, 0.25);
+    let start = -0.3_f64;
+    let s = system(json!({
+        "model": {"name": "cam", "gravity": [0.0, -G]},
+        "body": [{"name": "disc", "mass": 1.0, "inertia": 0.01, "angle": start},
+                 {"name": "follower", "mass": 3.0, "inertia": 0.01, "position": [0.0, 0.05]}],
+        "joint": [pin("O", ["ground", "disc"], [[0.0, 0.0], [0.0, 0.0]]),
+                  slide("guide", "follower", [0.0, 0.0], std::f64::consts::FRAC_PI_2),
+                  {"name": "contact", "kind": "cam", "bodies": ["disc", "follower"],
+                   "at": [[0.0, 0.0], [0.0, 0.0]], "angles": [0.0, 0.0],
+                   "profile": {"radius": "0.02 m * cos(phi) + sqrt(0.0025 m^2 - 0.0004 m^2 * sin(phi)^2)"},
+                   "follower": {"kind": "flat"}}],
+        "force": [{"name": "M", "kind": "moment", "body": "disc", "value": moment}]
+    }));
+    let report = run_both(&s);
+    assert_eq!(report.freedoms, 1);
+    assert_eq!(report.equilibria[0].stability, Stability::Stable);
+    let angle = -(moment / (weight * eccentricity)).acos();
+    close(value(&report, "disc.angle"), angle, 1e-10);
+    close(
+        value(&report, "follower.y"),
+        0.05 + eccentricity * angle.sin(),
+        1e-12,
+    );
+}

@@ -82,3 +82,17 @@ fn a_machine_that_cannot_be_assembled_says_so() {
         "{error}"
     );
 }
+
+#[test]
+fn a_force_without_value_is_named() {
+    let s = system(json!({
+        "model": {"name": "at the centre", "gravity": [0.0, 0.0]},
+        "body": [{"name": "stone", "mass": 2.0, "inertia": 1.0}],
+        "force": [{"name": "planet", "kind": "point-gravity", "body": "stone", "mu": 1.0}]
+    }));
+    let error = Statics::default().run(&s).expect_err("infinite attraction");
+    let AnalysisError::NotFinite { element, .. } = error else {
+        panic!("{error}");
+    };
+    assert!(element.starts_with("planet"), "{element}");
+}

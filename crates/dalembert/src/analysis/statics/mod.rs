@@ -88,6 +88,8 @@ struct Found {
     scale: f64,
     /// Ways down from unstable equilibria that have not been tried.
     exits: Vec<(Vec<f64>, DVector<f64>)>,
+    /// How many more of them are tried.
+    budget: usize,
 }
 
 impl Statics {
@@ -106,6 +108,7 @@ impl Statics {
             stored: Vec::new(),
             scale: 0.0,
             exits: Vec::new(),
+            budget: self.starts.max(4),
         };
         // From the estimate itself errors count; from other poses they only mean that there is
         // nothing to be found that way.
@@ -204,7 +207,10 @@ impl Statics {
         found: &mut Found,
         estimate: &[f64],
     ) -> Result<(), AnalysisError> {
-        while let Some((q, way)) = found.exits.pop() {
+        while found.budget > 0
+            && let Some((q, way)) = found.exits.pop()
+        {
+            found.budget -= 1;
             if let Ok(from) = wander(problem, &q, &way) {
                 self.try_from(problem, found, estimate, &from)?;
             }
@@ -246,8 +252,9 @@ impl Statics {
         if known {
             return Ok(());
         }
-        for way in &verdict.away {
-            // Pushed by a third of a radian (or of the size) to either side.
+        // Along the motion that is pushed away hardest, to either side, by a third of a radian (or of
+        // the size).
+        if let Some(way) = &verdict.away {
             let push = way * (0.3 / way.amax());
             found.exits.push((solution.q.clone(), -&push));
             found.exits.push((solution.q.clone(), push));

@@ -61,13 +61,15 @@ pub(super) fn wander(
 }
 
 /// Targets of the wandering for one start: turns up to half a turn either way, or moves up to the
-/// machine's size. The first starts turn one body each; later ones all bodies.
+/// machine's size. Every other of the first starts
+/// turns one body alone, until each had its turn.
 pub(super) fn target(problem: &Problem<'_>, number: usize, numbers: &mut Numbers) -> DVector<f64> {
     let bodies = problem.system.bodies.len();
     let mut target = DVector::zeros(problem.unit.len());
-    if number < 2 * bodies && number % 2 == 0 {
-        let sign = if number % 4 == 0 { 1.0 } else { -1.0 };
-        target[3 * (number / 2) + 2] = sign * 0.9 * PI;
+    let body = number / 2;
+    if body < bodies && number.is_multiple_of(2) {
+        let sign = if body.is_multiple_of(2) { 1.0 } else { -1.0 };
+        target[3 * body + 2] = sign * 0.9 * PI;
         return target;
     }
     for (k, x) in target.iter_mut().enumerate() {

@@ -33,8 +33,8 @@ pub(super) struct Verdict {
     pub symmetric: bool,
     /// Neutral and unstable motions in words.
     pub motions: Vec<String>,
-    /// Unstable motions, scaled.
-    pub away: Vec<DVector<f64>>,
+    /// The motion that is pushed away hardest, scaled.
+    pub away: Option<DVector<f64>>,
 }
 
 /// Parts of the largest force and of the largest stiffness below which a stiffness is zero: central
@@ -59,7 +59,7 @@ pub(super) fn judge(
         symmetric: asymmetry <= 1e-6 * k.amax() + NEUTRAL.0 * scale,
         eigenvalues: values.iter().copied().collect(),
         motions: Vec::new(),
-        away: Vec::new(),
+        away: None,
     };
     for (j, h) in values.iter().enumerate() {
         // A machine without any force has zero stiffness and a zero threshold.
@@ -71,7 +71,7 @@ pub(super) fn judge(
         if *h < -zero {
             verdict.stability = Stability::Unstable;
             verdict.motions.push(format!("unstable: {text}"));
-            verdict.away.push(motion);
+            verdict.away.get_or_insert(motion);
         } else {
             if verdict.stability == Stability::Stable {
                 verdict.stability = Stability::Neutral;
