@@ -9,6 +9,7 @@ mod kinematics;
 mod massless;
 mod newton;
 mod recorder;
+mod statics;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
@@ -18,3 +19,7 @@ pub use inverse::Inverse;
 pub use kinematics::{Kinematics, KinematicsRun};
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::{Extra, Recorder};
+pub use statics::{
+    Equilibrium, HoldingLoad, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown,
+    holding_loads,
+};

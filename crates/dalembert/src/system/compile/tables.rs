@@ -17,7 +17,11 @@ impl Context<'_> {
                     Diagnostic::error(
                         "table-length",
                         &path,
-                        format!("{owner}: x has {} values and y has {}", table.x.len(), table.y.len()),
+                        format!(
+                            "{owner}: x has {} values and y has {}",
+                            table.x.len(),
+                            table.y.len()
+                        ),
                     )
                     .help("give as many y as x"),
                 );
@@ -27,11 +31,15 @@ impl Context<'_> {
                 let list: Vec<Option<f64>> = values
                     .iter()
                     .enumerate()
-                    .map(|(k, v)| self.constant(v, Quantity::Free, &owner, &format!("{path}.{key}[{k}]")))
+                    .map(|(k, v)| {
+                        self.constant(v, Quantity::Free, &owner, &format!("{path}.{key}[{k}]"))
+                    })
                     .collect();
                 list.into_iter().collect()
             };
-            let (Some(x), Some(y)) = (read(&table.x, "x"), read(&table.y, "y")) else { continue };
+            let (Some(x), Some(y)) = (read(&table.x, "x"), read(&table.y, "y")) else {
+                continue;
+            };
             let spline = match table.interpolation {
                 Interpolation::Cubic => Spline::cubic(&x, &y, table.periodic),
                 Interpolation::Quintic => Spline::quintic(&x, &y, table.periodic),
