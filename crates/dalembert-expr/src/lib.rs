@@ -2,7 +2,7 @@
 //!
 //! A number of a model may be an expression: `0.5 * crank^2 / 12`, `30 deg + 150 * t`. This crate
 //! compiles such a text to a small program that evaluates quickly, without allocation, with exact
-//! first and second derivatives, and that knows its physical dimension. Every mistake is reported
+//! first, second and third derivatives, and that knows its physical dimension. Every mistake is reported
 //! with its place in the text and what to do.
 //!
 //! ```
