@@ -9,6 +9,7 @@ pub mod diagnostic;
 pub mod force;
 pub mod joint;
 pub mod model;
+pub mod network;
 pub mod results;
 pub mod signal;
 pub mod solve;

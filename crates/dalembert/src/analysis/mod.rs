@@ -3,11 +3,17 @@
 
 mod assembly;
 mod error;
+mod mobility;
 mod newton;
 mod recorder;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
 pub use error::AnalysisError;
+pub use mobility::{
+    BodyMotion, Conflict, Dependence, DriverSweep, FreeMotion, MasslessMotion, Mobility,
+    MobilityReport, Rank, SingularKind, SingularPose, SweepOptions, conflicts,
+    driver_singularities,
+};
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::Recorder;
