@@ -10,6 +10,7 @@ pub mod force;
 pub mod integrate;
 pub mod joint;
 pub mod model;
+pub mod network;
 pub mod results;
 pub mod signal;
 pub mod solve;

@@ -7,6 +7,7 @@ mod error;
 mod inverse;
 mod kinematics;
 mod massless;
+mod mobility;
 mod newton;
 mod recorder;
 mod statics;
@@ -17,6 +18,11 @@ pub use dynamics::{Dynamics, DynamicsReport, Motion};
 pub use error::AnalysisError;
 pub use inverse::Inverse;
 pub use kinematics::{Kinematics, KinematicsRun};
+pub use mobility::{
+    BodyMotion, Conflict, Dependence, DriverSweep, FreeMotion, MasslessMotion, Mobility,
+    MobilityReport, Rank, SingularKind, SingularPose, SweepOptions, conflicts,
+    driver_singularities,
+};
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::{Extra, Recorder};
 pub use statics::{
