@@ -7,6 +7,7 @@
 pub mod analysis;
 pub mod diagnostic;
 pub mod force;
+pub mod formulation;
 pub mod joint;
 pub mod model;
 pub mod results;
