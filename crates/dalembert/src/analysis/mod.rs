@@ -3,6 +3,7 @@
 
 mod assembly;
 mod dynamics;
+pub mod equations;
 mod error;
 mod inverse;
 mod kinematics;
@@ -15,6 +16,7 @@ mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
 pub use dynamics::{Dynamics, DynamicsReport, Motion};
+pub use equations::{EquationBasis, Equations, EquationsReport, ReferenceFrame};
 pub use error::AnalysisError;
 pub use inverse::Inverse;
 pub use kinematics::{Kinematics, KinematicsRun};
