@@ -1,10 +1,10 @@
 //! Long runs against invariants.
 
-mod machines;
+mod mechanisms;
 
 use dalembert::analysis::Dynamics;
 use dalembert::system::compile::compile;
-use machines::{moment, slider_crank, spinning, spring};
+use mechanisms::{moment, slider_crank, spinning, spring};
 
 fn largest(results: &dalembert::results::Results, name: &str) -> f64 {
     let channel = results

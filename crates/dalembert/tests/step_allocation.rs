@@ -1,11 +1,11 @@
 //! Nothing is allocated in the step loop: a counting allocator watches it.
 
-mod machines;
+mod mechanisms;
 
 use dalembert::analysis::{Assembly, Dynamics, Motion};
 use dalembert::integrate::{Dopri5, Ode};
 use dalembert::system::compile::compile;
-use machines::{moment, motor, slider_crank, spinning, spring};
+use mechanisms::{moment, motor, slider_crank, spinning, spring};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 

@@ -1,5 +1,6 @@
 //! Why an analysis could not be done.
 
+use crate::solve::RankError;
 use thiserror::Error;
 
 /// Why an analysis could not be done: what, where, when, and what to do.
@@ -105,4 +106,7 @@ pub enum AnalysisError {
         /// Needed.
         needed: usize,
     },
+    /// The rank of the constraints could not be decided.
+    #[error("the rank of the constraints could not be decided: {0}")]
+    Rank(#[from] RankError),
 }
