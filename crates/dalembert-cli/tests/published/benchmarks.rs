@@ -273,3 +273,44 @@ fn car_axis() {
         }
     });
 }
+
+/// Two pendulums of the Modelica Standard Library, against its published results (DASSL with a
+/// tolerance of 1e-6: four to five digits).
+#[test]
+fn modelica_pendulums() {
+    published("simulate", "damped-pendulum.toml", "", |run| {
+        for [t, angle, rate] in table("damped-pendulum.csv") {
+            run.near(t, "pin.angle", angle, 2e-3);
+            run.near(t, "pin.angle_rate", rate, 5e-3);
+        }
+    });
+    published("simulate", "steel-double-pendulum.toml", "", |run| {
+        for [t, first, first_rate, second, second_rate] in table("steel-double-pendulum.csv") {
+            run.near(t, "first pin.angle", first, 5e-3);
+            run.near(t, "first pin.angle_rate", first_rate, 3e-2);
+            run.near(t, "second pin.angle", second, 5e-3);
+            run.near(t, "second pin.angle_rate", second_rate, 3e-2);
+        }
+    });
+}
+
+/// A chain of two unit bodies at rest (test of the Rigid Body Dynamics Library).
+#[test]
+fn rbdl_chain() {
+    published("simulate", "unit-chain.toml", "", |run| {
+        run.near(0.0, "first pin.angle_acceleration", -5.886, 1e-13);
+        run.near(0.0, "second pin.angle_acceleration", 3.924, 1e-13);
+    });
+}
+
+/// Kepler's ellipse of eccentricity 0.6 over three turns.
+#[test]
+fn kepler_ellipse() {
+    published("simulate", "kepler.toml", "", |run| {
+        for [t, x, y] in table("kepler.csv") {
+            run.near(t, "satellite.x", x, 1e-9);
+            run.near(t, "satellite.y", y, 1e-9);
+        }
+        run.near(20.0, "momentum.angular", 0.8, 1e-11);
+    });
+}
