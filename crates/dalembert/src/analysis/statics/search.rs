@@ -3,7 +3,7 @@
 use super::motions::Motions;
 use super::problem::{Problem, step_limit};
 use crate::analysis::AnalysisError;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
 /// A small generator of repeatable numbers (splitmix64, Steele, Lea and Flood 2014).
@@ -23,11 +23,15 @@ impl Numbers {
     }
 }
 
+/// How much a wanted move counts against a wanted turn. Bodies on pins cannot do both as asked: they
+/// turn, and would hardly leave the pose if their moves counted alike. Bodies on slides move.
+const MOVE_WEIGHT: f64 = 0.05;
+
 /// A pose some way along the free motions from another.
 ///
 /// Each body is asked to turn and move by a target of its own; the free motions follow as far as the
-/// constraints let them, in short steps that are assembled one by one. Returns the last pose that
-/// could be assembled.
+/// constraints let them (by weighted least squares), in short steps that are assembled one by one.
+/// Returns the last pose that could be assembled.
 pub(super) fn wander(
     problem: &mut Problem<'_>,
     from: &[f64],
@@ -35,11 +39,23 @@ pub(super) fn wander(
 ) -> Result<Vec<f64>, AnalysisError> {
     let mut q = from.to_vec();
     let mut left = target.clone();
+    let bodies = problem.system.bodies.len();
+    let weights = DVector::from_fn(left.len(), |k, _| {
+        let turn = k >= 3 * bodies || k % 3 == 2;
+        if turn { 1.0 } else { MOVE_WEIGHT * MOVE_WEIGHT }
+    });
     // Half a radian a step: a whole turn of the fastest body takes some 13.
     for _ in 0..40 {
         problem.evaluate(&q)?;
         let basis = Motions::new(problem)?.basis;
-        let step = &basis * (basis.transpose() * &left);
+        let weighted = DMatrix::from_fn(basis.nrows(), basis.ncols(), |i, j| {
+            weights[i] * basis[(i, j)]
+        });
+        // B^T W B is positive definite: B has orthonormal columns and W positive weights.
+        let Some(normal) = (basis.transpose() * &weighted).cholesky() else {
+            break;
+        };
+        let step = &basis * normal.solve(&(weighted.transpose() * &left));
         if step.amax() < 1e-3 {
             break;
         }
