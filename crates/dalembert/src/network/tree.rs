@@ -85,9 +85,9 @@ impl SpanningTree {
     /// A_c, branches x chords.
     pub fn cut_set_matrix(&self) -> Vec<Vec<i8>> {
         let mut a = vec![vec![0; self.chords.len()]; self.branches.len()];
-        for chord in 0..self.chords.len() {
-            for (branch, sign) in self.circuit(chord) {
-                a[branch][chord] = sign;
+        for (row, cut) in a.iter_mut().zip(self.cut_sets()) {
+            for (chord, sign) in cut {
+                row[chord] = sign;
             }
         }
         a

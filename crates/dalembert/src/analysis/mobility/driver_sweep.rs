@@ -77,7 +77,7 @@ pub fn driver_singularities(
     for state in times {
         sweep.report(system, state, &rows, options, false, &mut result)?;
     }
-    if let Some((last, error)) = failure {
+    if let Some((last, error)) = failure.map(|stop| *stop) {
         let time = last.t;
         result.reached = time;
         let found = sweep.report(system, last, &rows, options, true, &mut result)?;
@@ -151,7 +151,7 @@ impl Sweep<'_> {
         samples: &[Sample],
         t: f64,
         dt: f64,
-    ) -> Result<Sample, (State, AnalysisError)> {
+    ) -> Result<Sample, Box<(State, AnalysisError)>> {
         let mut error = match self.next(samples, t) {
             Ok(sample) => return Ok(sample),
             Err(error) => error,
@@ -176,7 +176,7 @@ impl Sweep<'_> {
             target = t;
         }
         let last = way.pop().map(|s| s.state).unwrap_or_default();
-        Err((last, error))
+        Err(Box::new((last, error)))
     }
 
     /// The pose at a later time: along the last step, else from the last pose.

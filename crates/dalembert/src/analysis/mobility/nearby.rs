@@ -102,7 +102,7 @@ pub(super) fn bent_rows(
         let direction = motions * mix;
         let size = |(d, s): (&f64, &f64)| (d / s).abs();
         let largest = direction.iter().zip(&scale).map(size).fold(0.0, f64::max);
-        let mut side = |h: f64| {
+        let side = |h: f64| {
             let mut pose = state.clone();
             for (x, d) in pose.q.iter_mut().zip(direction.iter()) {
                 *x += h / largest * d;
