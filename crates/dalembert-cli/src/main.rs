@@ -1,3 +1,38 @@
-//! The program `dalembert`.
+//! The program `dalembert`: multibody dynamics from a model file.
+//!
+//! Exit codes: 0 done; 1 the analysis failed or stopped early; 2 the command line is wrong; 3 the
+//! model file has mistakes; 4 a file cannot be read or written.
+#![forbid(unsafe_code)]
 
-fn main() {}
+mod arguments;
+mod commands;
+mod failure;
+mod load;
+mod output;
+mod scene;
+mod summary;
+mod viewer;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let done = match arguments.command {
+        Command::New(a) => commands::new::run(&a),
+        Command::Kinematics(a) => commands::kinematics::run(&a),
+        Command::Simulate(a) => commands::simulate::run(&a),
+        Command::Inverse(a) => commands::inverse::run(&a),
+        Command::View(a) => commands::view::run(&a),
+        Command::Plot(a) => commands::plot::run(&a),
+        Command::Schema => commands::schema::run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{failure}");
+            ExitCode::from(failure.code())
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use crate::check;
 use crate::emit;
-use crate::error::{ExprError, Fault};
+use crate::error::{ExprError, Fault, MOST_ERRORS};
 use crate::program::{DEEPEST, Program};
 use crate::scope::Scope;
 use crate::syntax::parser;
@@ -27,6 +27,7 @@ pub fn compile(
             errors.extend(more);
         }
         errors.sort_by_key(|error| (error.span.start, error.span.end));
+        errors.truncate(MOST_ERRORS);
         return Err(errors);
     }
     let known = check::check(text, &tree, scope, expected)?;
@@ -62,6 +63,9 @@ pub fn parse_unit(text: &str) -> Result<Unit, Vec<ExprError>> {
 pub type NamePlace = (Vec<String>, Range<usize>);
 
 /// The variables in a text with their places, in order; constants of the language left out.
+///
+/// It is meant for the order in which parameters depend on each other. Where the text is wrong,
+/// [`compile`] says it better, because it knows the names.
 pub fn names(text: &str) -> Result<Vec<NamePlace>, Vec<ExprError>> {
     let (tree, errors) = parser::parse(text, None);
     if !errors.is_empty() {

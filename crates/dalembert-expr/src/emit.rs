@@ -1,7 +1,7 @@
 //! From a checked syntax tree to instructions.
 
 use crate::builtin::Operation;
-use crate::check::{self, Callee, Meaning};
+use crate::check::{Callee, Meaning, fold};
 use crate::derive::bivariate::Bivariate;
 use crate::instruction::{Comparison, Instruction};
 use crate::scope::Function;
@@ -165,7 +165,7 @@ impl Emitter<'_> {
             (Binary::Multiply, _, Some(c)) => Some((left, I::MultiplyConstant(c))),
             (Binary::Divide, Some(c), _) => Some((right, I::OverConstant(c))),
             (Binary::Divide, _, Some(c)) => Some((left, I::DivideConstant(c))),
-            (Binary::Power, _, Some(c)) => check::power(c).map(|p| (left, I::Univariate(p))),
+            (Binary::Power, _, Some(c)) => fold::power(c).map(|p| (left, I::Univariate(p))),
             _ => self.fuse_slot(operator, left, right),
         };
         if let Some((operand, instruction)) = fused {

@@ -28,6 +28,17 @@ impl ExprError {
     }
 }
 
+/// How many mistakes of a text are told.
+pub(crate) const MOST_ERRORS: usize = 20;
+
+/// A part of a text as a message quotes it: its beginning, if it is long.
+pub(crate) fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        None => text.to_owned(),
+        Some((cut, _)) => format!("{}...", &text[..cut]),
+    }
+}
+
 /// Every mistake that is recognised.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub(crate) enum Fault {
@@ -165,13 +176,10 @@ impl Fault {
             Self::MissingOperator { left, right } => {
                 format!("for a product write `{left}*{right}`")
             }
-            Self::UnknownUnit { name, suggestions } => match did_you_mean(suggestions) {
-                None if name == "t" => {
-                    "for a product write `*`; a metric ton is `tonne`".to_owned()
-                }
-                None if matches!(name.as_str(), "Nm" | "nm") => "write `N m`".to_owned(),
-                None => return None,
-                Some(help) => help,
+            Self::UnknownUnit { name, suggestions } => match name.as_str() {
+                "t" => "for a product write `*`; a metric ton is `tonne`".to_owned(),
+                "Nm" | "nm" => "write `N m`".to_owned(),
+                _ => return did_you_mean(suggestions),
             },
             Self::AmbiguousName { name } => format!(
                 "put the number and its unit in parentheses to use the name, as in `(5 N)*{name}`; \
@@ -197,12 +205,12 @@ impl Fault {
                 suggestions,
                 variable,
             } => match did_you_mean(suggestions) {
+                _ if name == "log" => "write `ln` or `log10`".to_owned(),
+                _ if name == "pow" => "write `a^b`".to_owned(),
                 _ if *variable => {
                     format!("`{name}` is a value; for a product write `{name}*(...)`")
                 }
                 Some(help) => help,
-                None if name == "log" => "write `ln` or `log10`".to_owned(),
-                None if name == "pow" => "write `a^b`".to_owned(),
                 None => return None,
             },
             Self::ArgumentCount { usage, .. } => format!("write `{usage}`"),

@@ -2,8 +2,16 @@
 //!
 //! A number of a model may be an expression: `0.5 * crank^2 / 12`, `30 deg + 150 * t`. This crate
 //! compiles such a text to a small program that evaluates quickly, without allocation, with exact
-//! first and second derivatives, and that knows its physical dimension. Every mistake is reported
+//! derivatives up to the third, and that knows its physical dimension. Every mistake is reported
 //! with its place in the text and what to do.
+//!
+//! ```
+//! use dalembert_expr::{Dim, EmptyScope, compile, parse_quantity};
+//!
+//! assert_eq!(parse_quantity("2 * 150 mm", Dim::LENGTH.into()), Ok(0.3));
+//! let errors = compile("30 deg + 2 mm", &EmptyScope, Dim::NONE.into()).unwrap_err();
+//! assert_eq!((errors[0].code, errors[0].span.clone()), ("unit-mismatch", 0..13));
+//! ```
 //!
 //! # The language
 //!
@@ -44,6 +52,7 @@ mod instruction;
 mod program;
 mod quantity;
 mod scope;
+mod spline;
 mod suggest;
 mod syntax;
 mod unit;
@@ -56,5 +65,7 @@ pub use error::ExprError;
 pub use program::Program;
 pub use quantity::Quantity;
 pub use scope::{EmptyScope, Function, Resolved, Scope, UnknownName};
+pub use spline::{Spline, SplineError};
 pub use suggest::nearest;
+pub use syntax::is_identifier;
 pub use unit::Unit;

@@ -3,7 +3,7 @@
 /// Names longer than this are not compared, so that hostile input costs nothing.
 const LONGEST: usize = 64;
 
-/// The candidates that are near `name` by edit distance, the nearest first, at most three.
+/// The candidates that are nearest to `name` by edit distance, if they are near: at most three.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     if name.len() > LONGEST {
         return Vec::new();
@@ -23,6 +23,8 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .collect();
     found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.cmp(b.1)));
     found.dedup();
+    let best = found.first().map(|(distance, _)| *distance);
+    found.retain(|(distance, _)| Some(*distance) == best);
     found.truncate(3);
     found.into_iter().map(|(_, name)| name.to_owned()).collect()
 }
@@ -54,9 +56,10 @@ mod tests {
     fn near_names_are_found_in_order() {
         let names = ["crank", "rod", "slider", "rank"];
         assert_eq!(nearest("carnk", names), ["crank"]);
-        assert_eq!(nearest("CRANK", names), ["crank", "rank"]);
+        assert_eq!(nearest("drank", names), ["crank", "rank"]);
+        assert_eq!(nearest("CRANK", names), ["crank"]);
         assert!(nearest("zebra", names).is_empty());
         assert!(nearest("x", ["y", "t"]).is_empty());
-        assert_eq!(nearest("KG", ["kg", "g"]), ["kg", "g"]);
+        assert_eq!(nearest("KG", ["kg", "g"]), ["kg"]);
     }
 }

@@ -3,7 +3,7 @@
 use super::lexer;
 use super::token::{Spanned, Token};
 use super::tree::{Binary, Id, Node, Tree};
-use crate::error::{ExprError, Fault};
+use crate::error::{ExprError, Fault, MOST_ERRORS, excerpt};
 use crate::{Scope, Unit};
 use std::ops::Range;
 
@@ -32,7 +32,10 @@ pub(crate) fn parse(text: &str, scope: Option<&dyn Scope>) -> (Tree, Vec<ExprErr
     }
     let (tokens, faults) = lexer::lex(text);
     if !faults.is_empty() {
-        let errors = faults.iter().map(|(f, s)| ExprError::new(f, s.clone()));
+        let errors = faults
+            .iter()
+            .take(MOST_ERRORS)
+            .map(|(f, s)| ExprError::new(f, s.clone()));
         return (Tree::default(), errors.collect());
     }
     let mut parser = Parser::new(text, scope, tokens);
@@ -120,7 +123,10 @@ impl Parser<'_> {
     }
 
     pub(super) fn report(&mut self, fault: Fault, span: Range<usize>) {
-        self.errors.push(ExprError::new(&fault, span));
+        // Nobody reads more, and a long text of nonsense must not cost much.
+        if self.errors.len() < MOST_ERRORS {
+            self.errors.push(ExprError::new(&fault, span));
+        }
     }
 
     /// Does the scope know a variable of this name?
@@ -184,7 +190,7 @@ impl Parser<'_> {
     fn report_missing_operator(&mut self, left: Id) {
         let before = self.tree.span(left);
         let span = before.start..self.span_ahead(0).end;
-        let left = self.text[before].to_owned();
+        let left = excerpt(&self.text[before]);
         let call = matches!(self.peek(), Token::Name(_)) && self.peek_ahead(1) == &Token::Open;
         let mut right = self.word_ahead(0);
         if call || right == "(" {
@@ -211,7 +217,7 @@ impl Parser<'_> {
             let denominator = self.tree.span(right);
             let span = self.tree.span(left).start..denominator.end;
             let fault = Fault::AmbiguousFraction {
-                text: self.text[span.clone()].to_owned(),
+                text: excerpt(&self.text[span.clone()]),
                 denominator: self.text[denominator].to_owned(),
             };
             self.report(fault, span);

@@ -4,6 +4,8 @@
 use dalembert_expr::{Dim, ExprError, Function, Program, Quantity, Resolved, Scope, UnknownName};
 use std::sync::Arc;
 
+pub mod random;
+
 /// Variables in slots by position, constants by value, and tables.
 #[derive(Default)]
 pub struct Names {

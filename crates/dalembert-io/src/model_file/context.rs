@@ -12,6 +12,8 @@ pub(super) struct Context<'a> {
     pub folder: Option<&'a Path>,
     /// Components of a point: 2 or 3.
     pub dimension: Cell<usize>,
+    /// Has an element been left out, because its kind is not known?
+    pub lost: Cell<bool>,
     /// Findings so far.
     pub diagnostics: RefCell<Vec<Diagnostic>>,
     /// Names that elements have.
@@ -30,6 +32,7 @@ impl<'a> Context<'a> {
         Self {
             folder,
             dimension: Cell::new(2),
+            lost: Cell::new(false),
             diagnostics: RefCell::default(),
             names: RefCell::default(),
             references: RefCell::default(),

@@ -6,6 +6,7 @@ mod item;
 mod line_column;
 mod lower;
 mod names;
+mod parsed;
 mod report;
 mod schema;
 mod source_map;
@@ -15,6 +16,7 @@ mod templates;
 mod write;
 
 pub use line_column::line_column;
+pub use parsed::Parsed;
 pub use report::{render, to_json};
 pub use schema::schema;
 pub use source_map::SourceMap;
@@ -23,24 +25,9 @@ pub use write::write_model;
 
 use context::Context;
 use dalembert::diagnostic::Diagnostic;
-use dalembert::model::Model;
+use line_column::Lines;
 use std::path::Path;
 use toml::de::DeTable;
-
-/// What reading a model file gives.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parsed {
-    /// The model, if the file has no errors.
-    pub model: Option<Model>,
-    /// The model as far as it could be read, with placeholders (0, empty texts) where it could
-    /// not: only for finding more mistakes, such as those inside expressions. `None` if the file
-    /// is not TOML.
-    pub draft: Option<Model>,
-    /// Where everything stands in the file.
-    pub source: SourceMap,
-    /// All findings, in the order of the file.
-    pub diagnostics: Vec<Diagnostic>,
-}
 
 /// Reads the text of a model file. `folder` is where the files lie that the model names.
 ///
@@ -49,12 +36,11 @@ pub struct Parsed {
 pub fn parse_model(text: &str, folder: Option<&Path>) -> Parsed {
     let (root, errors) = DeTable::parse_recoverable(text);
     if !errors.is_empty() {
-        let diagnostics = errors.iter().map(syntax_error).collect();
         return Parsed {
             model: None,
             draft: None,
             source: SourceMap::default(),
-            diagnostics,
+            diagnostics: syntax_errors(text, &errors),
         };
     }
     let mut source = SourceMap::new(text, root.get_ref());
@@ -68,17 +54,43 @@ pub fn parse_model(text: &str, folder: Option<&Path>) -> Parsed {
         source.alias(&path, &real);
     }
     let mut diagnostics = context.diagnostics.take();
-    diagnostics.sort_by_key(|d| source.locate_diagnostic(d).map(|span| span.start));
+    diagnostics.sort_by_key(|d| source.locate_diagnostic(d).start);
     let usable = !diagnostics.iter().any(Diagnostic::is_error);
     Parsed {
         model: usable.then(|| draft.clone()),
-        draft: Some(draft),
+        draft: (!context.lost.get()).then_some(draft),
         source,
         diagnostics,
     }
 }
 
-fn syntax_error(error: &toml::de::Error) -> Diagnostic {
-    let message = format!("not valid TOML: {}", error.message());
-    Diagnostic::error("toml-syntax", "", message).span(error.span().unwrap_or(0..0))
+/// One error a line. A list that is not closed makes an error of every line behind it: of such a
+/// run of lines only the first is kept.
+fn syntax_errors(text: &str, errors: &[toml::de::Error]) -> Vec<Diagnostic> {
+    let lines = Lines::new(text);
+    let silent = |line: usize| {
+        let text = lines.line(line).1.trim_start();
+        text.is_empty() || text.starts_with('#')
+    };
+    let mut diagnostics: Vec<Diagnostic> = Vec::new();
+    let (mut last_line, mut in_list) = (0, false);
+    for error in errors {
+        let span = error.span().unwrap_or(0..0);
+        let (line, _) = lines.line_column(span.start);
+        let run = in_list && (last_line + 1..line).all(silent);
+        let same_line = line == last_line;
+        last_line = line;
+        if run || same_line {
+            continue;
+        }
+        in_list = error.message().contains("array");
+        let message = format!("not valid TOML: {}", error.message());
+        let mut diagnostic = Diagnostic::error("toml-syntax", "", message).span(span);
+        if error.message().contains("quoted") {
+            diagnostic = diagnostic
+                .help("texts, units and expressions stand in quotes, for example \"30 deg\"");
+        }
+        diagnostics.push(diagnostic);
+    }
+    diagnostics
 }

@@ -58,21 +58,14 @@ pub(super) fn is_bad_name(name: &str) -> bool {
         || name.chars().any(char::is_control)
 }
 
-/// Is the text an identifier: a letter or underscore, then letters, digits and underscores?
-pub(super) fn is_identifier(name: &str) -> bool {
-    let mut chars = name.chars();
-    chars.next().is_some_and(|c| c.is_alphabetic() || c == '_')
-        && chars.all(|c| c.is_alphanumeric() || c == '_')
-}
-
 /// Checks that no name is used twice or reserved, and that every used name exists.
 pub(super) fn check(context: &Context<'_>) {
     check_unique(context);
     check_references(context);
 }
 
-/// Bodies, joints, parameters and all the others share one name space: channels and expressions
-/// speak of all of them.
+/// All elements share one name space: channels and expressions speak of all of them. Parameters
+/// have their own: `crank` is the parameter, `crank.angle` a quantity of the body.
 fn check_unique(context: &Context<'_>) {
     let names = context.names.borrow();
     let mut first: HashMap<&str, &NameOf> = HashMap::new();
@@ -87,6 +80,8 @@ fn check_unique(context: &Context<'_>) {
                 "reserved-name",
                 "the name \"t\" belongs to the time".to_owned(),
             ))
+        } else if name.section == Section::Parameter {
+            None
         } else {
             first.get(name.name.as_str()).map(|other| {
                 (
@@ -100,13 +95,15 @@ fn check_unique(context: &Context<'_>) {
                 )
             })
         };
-        first.entry(&name.name).or_insert(name);
+        if name.section != Section::Parameter {
+            first.entry(&name.name).or_insert(name);
+        }
         let Some((code, text)) = mistake else {
             continue;
         };
         let message = format!("{}: {text}", name.place.label);
         let diagnostic = Diagnostic::error(code, name.place.path.clone(), message)
-            .help("choose another name: all elements and parameters share one name space");
+            .help("choose another name: all elements share one name space");
         if name.section == Section::Parameter {
             context.report_key(diagnostic);
         } else {
@@ -114,6 +111,10 @@ fn check_unique(context: &Context<'_>) {
         }
     }
 }
+
+/// A file with more mistakes than this has one mistake that repeats; comparing every unknown name
+/// with every known one would take long in a large file.
+const MOST_SUGGESTIONS: usize = 100;
 
 fn check_references(context: &Context<'_>) {
     let names = context.names.borrow();
@@ -127,6 +128,9 @@ fn check_references(context: &Context<'_>) {
             .collect()
     };
     let (bodies, joints) = (of(Section::Body), of(Section::Joint));
+    let sections: HashMap<&str, Section> =
+        names.iter().map(|n| (n.name.as_str(), n.section)).collect();
+    let mut suggestions = MOST_SUGGESTIONS;
     for used in context.references.borrow().iter() {
         let known = if used.section == Section::Body {
             &bodies
@@ -138,12 +142,15 @@ fn check_references(context: &Context<'_>) {
         }
         let word = used.section.word();
         let text = format!("there is no {word} \"{}\"", used.name);
-        let other = names.iter().find(|n| n.name == used.name);
-        let help = match (nearest(&used.name, known.iter().copied()), other) {
-            (_, Some(other)) => {
-                format!("\"{}\" is a {}", used.name, other.section.word())
-            }
-            (Some(near), None) => format!("did you mean \"{near}\"?"),
+        let near = if suggestions > 0 {
+            nearest(&used.name, known.iter().copied())
+        } else {
+            None
+        };
+        suggestions = suggestions.saturating_sub(1);
+        let help = match (sections.get(used.name.as_str()), near) {
+            (Some(other), _) => format!("\"{}\" is a {}", used.name, other.word()),
+            (None, Some(near)) => format!("did you mean \"{near}\"?"),
             (None, None) if known.is_empty() => format!("the model has no {word}"),
             (None, None) => format!("known: {}", listed(known.iter().copied().take(20))),
         };

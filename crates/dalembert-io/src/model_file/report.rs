@@ -1,6 +1,6 @@
 //! Diagnostics for people and for programs.
 
-use super::line_column::line_column;
+use super::line_column::Lines;
 use super::source_map::SourceMap;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet, normalize_untrusted_str};
 use dalembert::diagnostic::{Diagnostic, Severity};
@@ -21,18 +21,27 @@ pub fn render(
     } else {
         Renderer::plain()
     };
+    let lines = Lines::new(text);
     let mut result = String::new();
     for diagnostic in diagnostics {
         let level = match diagnostic.severity {
             Severity::Error => Level::ERROR,
             Severity::Warning => Level::WARNING,
         };
+        // A mistake of several lines is shown at the first of them.
+        let span = place(diagnostic, source, &lines);
+        let (number, _) = lines.line_column(span.start);
+        let (start, line) = lines.line(number);
+        let first = (span.start - start).min(line.len());
+        let last = (span.end - start).min(line.len());
+        let snippet = Snippet::source(line)
+            .line_start(number)
+            .path(file_name)
+            .annotation(AnnotationKind::Primary.span(first..last));
         let mut group = level
             .primary_title(diagnostic.message.as_str())
             .id(diagnostic.code.as_str())
-            .element(Snippet::source(text).path(file_name).annotation(
-                AnnotationKind::Primary.span(first_line(text, place(diagnostic, source, text))),
-            ));
+            .element(snippet);
         if let Some(help) = &diagnostic.help {
             group = group.element(Level::HELP.message(normalize_untrusted_str(help)));
         }
@@ -49,10 +58,11 @@ pub fn to_json(
     file_name: &str,
     text: &str,
 ) -> Value {
+    let lines = Lines::new(text);
     let one = |diagnostic: &Diagnostic| {
-        let span = place(diagnostic, source, text);
-        let (line, column) = line_column(text, span.start);
-        let (end_line, end_column) = line_column(text, span.end);
+        let span = place(diagnostic, source, &lines);
+        let (line, column) = lines.line_column(span.start);
+        let (end_line, end_column) = lines.line_column(span.end);
         json!({
             "severity": diagnostic.severity,
             "code": diagnostic.code,
@@ -70,22 +80,8 @@ pub fn to_json(
 }
 
 /// Bytes of the text, never outside of it and never inside a character.
-fn place(diagnostic: &Diagnostic, source: &SourceMap, text: &str) -> Range<usize> {
-    let span = source.locate_diagnostic(diagnostic).unwrap_or(0..0);
-    let start = boundary(text, span.start);
-    start..boundary(text, span.end).max(start)
-}
-
-fn boundary(text: &str, byte: usize) -> usize {
-    let mut byte = byte.min(text.len());
-    while !text.is_char_boundary(byte) {
-        byte -= 1;
-    }
-    byte
-}
-
-/// A mistake of a whole table is shown at its first line.
-fn first_line(text: &str, span: Range<usize>) -> Range<usize> {
-    let line = text[span.clone()].find(['\n', '\r']);
-    span.start..line.map_or(span.end, |k| span.start + k)
+fn place(diagnostic: &Diagnostic, source: &SourceMap, lines: &Lines<'_>) -> Range<usize> {
+    let span = source.locate_diagnostic(diagnostic);
+    let start = lines.boundary(span.start);
+    start..lines.boundary(span.end).max(start)
 }

@@ -76,12 +76,10 @@ impl SourceMap {
         self.places.insert(path, place);
     }
 
-    /// Bytes of the value at a path, or of the nearest enclosing one that the file has.
-    ///
-    /// The root (the empty path) is the start of the file.
+    /// Bytes of the value at a path, or of the nearest enclosing one that the file has; `None`
+    /// where the file has nothing of the path.
     pub fn locate(&self, path: &str) -> Option<Range<usize>> {
-        self.nearest(path)
-            .map_or(Some(0..0), |p| Some(p.value.clone()))
+        self.nearest(path).map(|p| p.value.clone())
     }
 
     /// Bytes of the key at a path, where the path ends in a key.
@@ -89,26 +87,29 @@ impl SourceMap {
         self.places.get(path).and_then(|p| p.key.clone())
     }
 
-    /// Bytes of the file that a diagnostic speaks of.
+    /// Bytes of the file that a diagnostic speaks of; the start of the file where it has no place.
     ///
     /// A diagnostic of the root (the empty path) carries bytes of the file itself.
-    pub fn locate_diagnostic(&self, diagnostic: &Diagnostic) -> Option<Range<usize>> {
+    pub fn locate_diagnostic(&self, diagnostic: &Diagnostic) -> Range<usize> {
         let Some(place) = self.nearest(&diagnostic.path) else {
-            return Some(diagnostic.span.clone().unwrap_or(0..0));
+            return match &diagnostic.span {
+                Some(span) if diagnostic.path.is_empty() => span.clone(),
+                _ => 0..0,
+            };
         };
         if place.show_key
             && let Some(key) = &place.key
         {
-            return Some(key.clone());
+            return key.clone();
         }
         let exact = self.places.contains_key(&diagnostic.path);
         if let (true, Some(span), Some(inner)) = (exact, &diagnostic.span, &place.inner)
             && span.start <= span.end
             && span.end <= inner.len()
         {
-            return Some(inner.start + span.start..inner.start + span.end);
+            return inner.start + span.start..inner.start + span.end;
         }
-        Some(place.value.clone())
+        place.value.clone()
     }
 
     /// Lets diagnostics at a path point at the key, not at the value.

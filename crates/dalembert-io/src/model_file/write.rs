@@ -8,8 +8,14 @@ use toml::{Table, Value};
 /// Reading the text gives the same model. Points that came from a CSV file are not written: the
 /// file is named instead, and is read from the folder of the model file again.
 pub fn write_model(model: &Model) -> String {
-    // Every type of the model serializes to what TOML has: texts, numbers, lists and tables.
-    let mut root = Table::try_from(model).unwrap_or_default();
+    let mut model = model.clone();
+    for table in &mut model.tables {
+        // TOML has no larger numbers; no file has as many columns either.
+        table.columns = table.columns.map(|c| c.map(|n| n.min(u32::MAX as usize)));
+    }
+    // This cannot fail: every type of the model serializes to texts, booleans, floats, whole
+    // numbers of 32 bits, lists and tables with texts as keys, and `None` is skipped everywhere.
+    let mut root = Table::try_from(&model).expect("a model is TOML");
     for table in root
         .get_mut("table")
         .and_then(Value::as_array_mut)

@@ -4,6 +4,9 @@
 pub(super) trait Size: Copy {
     /// The value of the dimension.
     fn get(self) -> usize;
+
+    /// Lends an array of this length: on the stack where the size is known, else the start of `spare`.
+    fn with_array<R>(self, spare: &mut [f64], run: impl FnOnce(&mut [f64]) -> R) -> R;
 }
 
 /// A dimension known to the compiler.
@@ -15,12 +18,22 @@ impl<const N: usize> Size for Fixed<N> {
     fn get(self) -> usize {
         N
     }
+
+    #[inline(always)]
+    fn with_array<R>(self, _spare: &mut [f64], run: impl FnOnce(&mut [f64]) -> R) -> R {
+        run(&mut [0.0; N])
+    }
 }
 
 impl Size for usize {
     #[inline(always)]
     fn get(self) -> usize {
         self
+    }
+
+    #[inline(always)]
+    fn with_array<R>(self, spare: &mut [f64], run: impl FnOnce(&mut [f64]) -> R) -> R {
+        run(&mut spare[..self])
     }
 }
 
@@ -38,6 +51,10 @@ macro_rules! with_size {
             }
             3 => {
                 let $size = $crate::solve::kernel::Fixed::<3>;
+                $body
+            }
+            4 => {
+                let $size = $crate::solve::kernel::Fixed::<4>;
                 $body
             }
             5 => {
@@ -101,32 +118,20 @@ fn product<M: Size, N: Size, K: Size>(
     }
 }
 
-/// `c += sign a b^T`, with the common sizes unrolled.
-#[inline]
-pub(super) fn add_product(
-    (m, n, k): (usize, usize, usize),
+/// `c += sign a b^T`, unrolled where both sizes of `c` are one common number.
+#[inline(always)]
+pub(super) fn add_product<K: Size>(
+    (m, n, k): (usize, usize, K),
     sign: f64,
     c: &mut [f64],
     a: &[f64],
     b: &[f64],
 ) {
-    macro_rules! fixed {
-        ($m:literal, $n:literal, $k:literal) => {
-            product((Fixed::<$m>, Fixed::<$n>, Fixed::<$k>), sign, c, a, b)
-        };
-    }
-    match (m, n, k) {
-        (1, 1, 1) => fixed!(1, 1, 1),
-        (1, 1, 3) => fixed!(1, 1, 3),
-        (1, 2, 3) => fixed!(1, 2, 3),
-        (2, 1, 3) => fixed!(2, 1, 3),
-        (2, 2, 2) => fixed!(2, 2, 2),
-        (2, 2, 3) => fixed!(2, 2, 3),
-        (3, 3, 3) => fixed!(3, 3, 3),
-        (3, 3, 6) => fixed!(3, 3, 6),
-        (5, 5, 5) => fixed!(5, 5, 5),
-        (5, 5, 6) => fixed!(5, 5, 6),
-        (6, 6, 6) => fixed!(6, 6, 6),
+    match (m, n) {
+        (1, 1) => product((Fixed::<1>, Fixed::<1>, k), sign, c, a, b),
+        (2, 2) => product((Fixed::<2>, Fixed::<2>, k), sign, c, a, b),
+        (3, 3) => product((Fixed::<3>, Fixed::<3>, k), sign, c, a, b),
+        (5, 5) => product((Fixed::<5>, Fixed::<5>, k), sign, c, a, b),
         _ => product((m, n, k), sign, c, a, b),
     }
 }

@@ -146,6 +146,21 @@ impl<S: Space> System<S> {
         system
     }
 
+    /// The same machine with some elements kept and others added behind them. Added elements have no
+    /// auxiliary coordinates.
+    #[must_use]
+    pub(crate) fn replace_elements(
+        &self,
+        keep: impl Fn(&ElementData<S>) -> bool,
+        added: Vec<ElementData<S>>,
+    ) -> Self {
+        let mut system = self.clone();
+        system.elements.retain(|e| keep(e));
+        system.elements.extend(added);
+        system.lay_out();
+        system
+    }
+
     /// The machine with the rows that always hold.
     #[must_use]
     pub fn running(&self) -> Self {

@@ -95,16 +95,17 @@ fn elements<'a, T>(
     };
     list.place = element_place(list.place.path, format!("section [[{key}]]"));
     if let DeValue::Table(_) = list.value {
+        let help = format!("write [[{key}]] with two brackets above each {word}");
         list.error(
             "wrong-type",
             "expected a list of tables, found a table",
-            Some(format!(
-                "write [[{key}]] with two brackets above each {word}"
-            )),
+            Some(help),
         );
+        file.context().lost.set(true);
         return Vec::new();
     }
     let Some(entries) = list.entries("a list of tables") else {
+        file.context().lost.set(true);
         return Vec::new();
     };
     let mut result = Vec::new();
@@ -114,7 +115,10 @@ fn elements<'a, T>(
             None => format!("{word} number {}", k + 1),
         };
         item.place = element_place(item.place.path, label);
-        result.extend(item.table().and_then(&lower));
+        match item.table().and_then(&lower) {
+            Some(element) => result.push(element),
+            None => file.context().lost.set(true),
+        }
     }
     result
 }

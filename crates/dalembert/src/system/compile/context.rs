@@ -451,6 +451,7 @@ impl<'m> Context<'m> {
         if self.diagnostics.iter().any(Diagnostic::is_error) {
             return Err(Diagnostics(self.diagnostics));
         }
+        let mut drawing = self.drawing();
         let mut system = System::new(
             self.model.info.name.clone(),
             self.bodies,
@@ -474,7 +475,9 @@ impl<'m> Context<'m> {
         system.velocity_weight = self.velocity_weight;
         system.set_masses();
         system.set_size();
+        drawing.add_elements(&system);
         Ok(Compiled {
+            drawing,
             system,
             options: self.options,
             parameters: self

@@ -3,6 +3,7 @@
 mod bodies;
 mod constraints;
 mod context;
+mod drawing;
 mod drivers;
 mod forces;
 mod joints;
@@ -11,8 +12,9 @@ mod names;
 mod options;
 mod place;
 mod quantities;
-//mod tables;
+mod tables;
 
+pub use drawing::{Drawing, DrawnBody, DrawnElement, DrawnEnd, DrawnForm, DrawnShape};
 pub use options::Options;
 
 use super::System;
@@ -31,6 +33,8 @@ pub struct Compiled {
     pub options: Options,
     /// Values of the parameters.
     pub parameters: IndexMap<String, f64>,
+    /// What a picture needs beside the poses.
+    pub drawing: Drawing,
     /// What is unusual in the model.
     pub warnings: Vec<Diagnostic>,
 }
@@ -53,7 +57,7 @@ pub fn compile(model: &Model, overrides: &[(String, Value)]) -> Result<Compiled,
         return Err(Diagnostics(context.diagnostics));
     }
     context.parameters();
-    //context.tables();
+    context.tables();
     context.options();
     context.bodies();
     context.traces();

@@ -1,13 +1,15 @@
 //! The meaning of a syntax tree: names, units and constants.
 
-use crate::builtin::{self, Builtin, Operation, Rule};
-use crate::derive::bivariate::Bivariate;
-use crate::derive::univariate::Univariate;
-use crate::error::{ExprError, Fault};
+pub(crate) mod fold;
+mod rules;
+
+use crate::builtin::{self, Builtin, Operation};
+use crate::error::{ExprError, Fault, MOST_ERRORS, excerpt};
 use crate::scope::{Function, Resolved, Scope};
 use crate::syntax::token::Path;
 use crate::syntax::tree::{self, Binary, Id, Node, Tree};
-use crate::{Dim, Quantity, Unit, suggest};
+use crate::{Quantity, Unit, suggest};
+use fold::{apply, fold};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -60,7 +62,7 @@ pub(crate) fn check(
     if checker.faults.is_empty() {
         return Ok(checker.known);
     }
-    let errors = checker.faults.iter();
+    let errors = checker.faults.iter().take(MOST_ERRORS);
     Err(errors
         .map(|(_, f, span)| ExprError::new(f, span.clone()))
         .collect())
@@ -88,11 +90,7 @@ impl Checker<'_> {
     }
 
     fn source(&self, span: Range<usize>) -> String {
-        let text = &self.text[span];
-        match text.char_indices().nth(40) {
-            None => format!("`{text}`"),
-            Some((cut, _)) => format!("`{}...`", &text[..cut]),
-        }
+        format!("`{}`", excerpt(&self.text[span]))
     }
 
     fn meaning(&mut self, id: Id) -> Meaning {
@@ -184,23 +182,6 @@ impl Checker<'_> {
         Meaning::default()
     }
 
-    /// The quantity of the truth of an operand: a plain number, 1 or 0.
-    fn condition(&mut self, id: Id, operand: Id) -> Option<Quantity> {
-        match self.quantity(operand)? {
-            Quantity::Known(dim) if !dim.is_none() => {
-                let span = self.tree.span(operand);
-                let fault = Fault::WrongArgument {
-                    what: self.source(span.clone()),
-                    wanted: "the place of a condition".to_owned(),
-                    given: dim.describe(),
-                };
-                self.report(id, fault, span);
-                None
-            }
-            _ => Some(Quantity::Known(Dim::NONE)),
-        }
-    }
-
     fn binary(&mut self, id: Id, operator: Binary, left: Id, right: Id) -> Meaning {
         let quantity = self.binary_quantity(id, operator, left, right);
         let values = self.value(left).zip(self.value(right));
@@ -216,106 +197,6 @@ impl Checker<'_> {
             value,
             ..Meaning::default()
         }
-    }
-
-    fn binary_quantity(&mut self, id: Id, op: Binary, left: Id, right: Id) -> Option<Quantity> {
-        use Quantity::{Free, Known};
-        if matches!(op, Binary::And | Binary::Or) {
-            let (a, b) = (self.condition(id, left), self.condition(id, right));
-            return a.and(b);
-        }
-        let (a, b) = (self.quantity(left)?, self.quantity(right)?);
-        let dim = match (op, a, b) {
-            (Binary::Multiply, Known(a), Known(b)) => a.times(b),
-            (Binary::Divide, Known(a), Known(b)) => a.over(b),
-            (Binary::Multiply | Binary::Divide, ..) => return Some(Free),
-            (Binary::Power, ..) => return self.power_quantity(id, a, right),
-            (Binary::Add | Binary::Subtract, ..) => {
-                let verb = if op == Binary::Add {
-                    "adds"
-                } else {
-                    "subtracts"
-                };
-                return self.same(id, verb, &[left, right]);
-            }
-            _ => {
-                self.same(id, "compares", &[left, right])?;
-                return Some(Known(Dim::NONE));
-            }
-        };
-        self.moderate(id, dim)
-    }
-
-    fn moderate(&mut self, id: Id, dim: Dim) -> Option<Quantity> {
-        if !dim.is_moderate() {
-            self.report(id, Fault::Dimension, self.tree.span(id));
-            return None;
-        }
-        Some(Quantity::Known(dim))
-    }
-
-    fn power_quantity(&mut self, id: Id, base: Quantity, exponent: Id) -> Option<Quantity> {
-        if let Some(Quantity::Known(dim)) = self.quantity(exponent)
-            && !dim.is_none()
-        {
-            let fault = Fault::WrongArgument {
-                what: "an exponent".to_owned(),
-                wanted: "a plain number".to_owned(),
-                given: dim.describe(),
-            };
-            self.report(id, fault, self.tree.span(exponent));
-            return None;
-        }
-        let Quantity::Known(dim) = base else {
-            return Some(Quantity::Free);
-        };
-        let result = match self.value(exponent) {
-            _ if dim.is_none() => Some(dim),
-            Some(power) => dim.power(power),
-            None => None,
-        };
-        let Some(result) = result else {
-            let base = dim.describe();
-            self.report(id, Fault::Exponent { base }, self.tree.span(id));
-            return None;
-        };
-        self.moderate(id, result)
-    }
-
-    /// The common quantity of some terms.
-    fn same(&mut self, id: Id, verb: &str, terms: &[Id]) -> Option<Quantity> {
-        let mut common = Quantity::Free;
-        for &term in terms {
-            match common.join(self.quantity(term)?) {
-                Ok(joined) => common = joined,
-                Err((left, right)) => {
-                    let span = self.tree.span(id);
-                    let fault = Fault::Mismatch {
-                        what: format!("{} {verb}", self.source(span.clone())),
-                        left: left.describe(),
-                        right: right.describe(),
-                    };
-                    self.report(id, fault, span);
-                    return None;
-                }
-            }
-        }
-        Some(common)
-    }
-
-    /// Does an argument have the dimension that a function asks for?
-    fn takes(&mut self, id: Id, name: &str, wanted: Quantity, argument: Id) -> Option<()> {
-        let given = self.quantity(argument)?;
-        if given.join(wanted).is_ok() {
-            return Some(());
-        }
-        let fault = Fault::WrongArgument {
-            what: format!("`{name}`"),
-            wanted: wanted.describe(),
-            given: given.describe(),
-        };
-        self.report(id, fault, self.tree.span(argument));
-        None
     }
 
     fn call(&mut self, id: Id, name: &str, name_span: &Range<usize>, arguments: &[Id]) -> Meaning {
@@ -382,6 +263,10 @@ impl Checker<'_> {
             }
             return meaning;
         }
+        if matches!(function.operation, Operation::Mod) && self.value(arguments[1]) == Some(0.0) {
+            self.report(id, Fault::DivisionByZero, self.tree.span(id));
+            return meaning;
+        }
         let values: Option<Vec<f64>> = arguments.iter().map(|a| self.value(*a)).collect();
         let folded = values.map(|values| apply(function.operation, &values));
         meaning.value = self.finite(id, folded);
@@ -395,88 +280,5 @@ impl Checker<'_> {
             let numeric = matches!(fault, Fault::DivisionByZero | Fault::NotFinite);
             !(numeric && (first..=dead).contains(id))
         });
-    }
-
-    fn builtin_quantity(
-        &mut self,
-        id: Id,
-        function: &Builtin,
-        arguments: &[Id],
-    ) -> Option<Quantity> {
-        let name = function.name;
-        let plain = |quantity: Quantity| match quantity {
-            // Nothing is known: the value may be meant in SI units of its place.
-            Quantity::Free => Quantity::Free,
-            Quantity::Known(_) => Quantity::Known(Dim::NONE),
-        };
-        match function.rule {
-            Rule::Plain => {
-                self.takes(id, name, Dim::NONE.into(), arguments[0])?;
-                self.quantity(arguments[0])
-            }
-            Rule::Same => self.same(id, "mixes", arguments),
-            Rule::Ratio => self.same(id, "mixes", arguments).map(plain),
-            Rule::Choice => {
-                let condition = self.condition(id, arguments[0]);
-                let value = self.same(id, "chooses between", &arguments[1..]);
-                condition.and(value)
-            }
-            Rule::Root => {
-                let Quantity::Known(dim) = self.quantity(arguments[0])? else {
-                    return Some(Quantity::Free);
-                };
-                let root = dim.sqrt();
-                if root.is_none() {
-                    let base = dim.describe();
-                    self.report(id, Fault::Exponent { base }, self.tree.span(id));
-                }
-                root.map(Quantity::Known)
-            }
-        }
-    }
-}
-
-/// The value of an operator on constants.
-fn fold(operator: Binary, a: f64, b: f64) -> f64 {
-    match operator {
-        Binary::Add => a + b,
-        Binary::Subtract => a - b,
-        Binary::Multiply => a * b,
-        Binary::Divide => a / b,
-        Binary::Power => power(b).map_or_else(|| Bivariate::Power.value(a, b), |p| p.value(a)),
-        Binary::Less => f64::from(a < b),
-        Binary::LessEqual => f64::from(a <= b),
-        Binary::Greater => f64::from(a > b),
-        Binary::GreaterEqual => f64::from(a >= b),
-        Binary::Equal => f64::from(a == b),
-        Binary::NotEqual => f64::from(a != b),
-        Binary::And => f64::from(a != 0.0 && b != 0.0),
-        Binary::Or => f64::from(a != 0.0 || b != 0.0),
-    }
-}
-
-/// A fixed power as a function of its base. Small whole powers are products.
-pub(crate) fn power(exponent: f64) -> Option<Univariate> {
-    if !exponent.is_finite() {
-        return None;
-    }
-    Some(if exponent.fract() == 0.0 && exponent.abs() <= 16.0 {
-        Univariate::PowInt(exponent as i32)
-    } else {
-        Univariate::PowReal(exponent)
-    })
-}
-
-/// The value of a function on constants.
-fn apply(operation: Operation, values: &[f64]) -> f64 {
-    match (operation, values) {
-        (Operation::Univariate(f), [x]) => f.value(*x),
-        (Operation::Bivariate(f), [a, b]) => f.value(*a, *b),
-        (Operation::Mod, [a, b]) => builtin::modulo(*a, *b),
-        (Operation::Blend, [x, from, to]) => builtin::blend(*x, *from, *to),
-        (Operation::Min, [first, rest @ ..]) => rest.iter().copied().fold(*first, builtin::min),
-        (Operation::Max, [first, rest @ ..]) => rest.iter().copied().fold(*first, builtin::max),
-        // The number of arguments has been checked, and `if` has its own rule.
-        _ => f64::NAN,
     }
 }

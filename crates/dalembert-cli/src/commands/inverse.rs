@@ -1,0 +1,27 @@
+//! `dalembert inverse`.
+
+use crate::arguments::InverseArgs;
+use crate::failure::Failure;
+use crate::load::{apply, load};
+use crate::summary;
+use dalembert::analysis::{Inverse, NewtonOptions};
+
+/// Runs the inverse dynamics and prints its summary.
+pub fn run(args: &InverseArgs) -> Result<(), Failure> {
+    let loaded = load(&args.run.model, apply(&args.run))?;
+    let options = &loaded.compiled.options;
+    let analysis = Inverse {
+        instants: options.instants(),
+        newton: NewtonOptions {
+            max_iterations: options.max_iterations,
+            ..NewtonOptions::default()
+        },
+        actuators: if args.actuator.is_empty() {
+            options.actuators.clone()
+        } else {
+            args.actuator.clone()
+        },
+    };
+    let run = analysis.run(&loaded.compiled.system)?;
+    summary::report(&args.run, &loaded, run.results, &run.assembly, run.stopped)
+}

@@ -1,0 +1,58 @@
+//! `dalembert plot`: SVG of channels of a result file.
+
+use crate::arguments::PlotArgs;
+use crate::failure::Failure;
+use crate::load::beside;
+use crate::output::write_text;
+use dalembert_io::plot::{Plot, XyCurve, XyPlot};
+use dalembert_io::result_file::{read, select};
+
+/// Draws the chosen channels.
+pub fn run(args: &PlotArgs) -> Result<(), Failure> {
+    let results = read(&args.results).map_err(|e| Failure::File {
+        path: args.results.clone(),
+        cause: e.to_string(),
+    })?;
+    let usage = |e: dalembert_io::result_file::UnknownChannel| Failure::Usage(e.to_string());
+    let ys = select(&results, &args.channels).map_err(usage)?;
+    let x = match &args.against {
+        Some(name) => select(&results, std::slice::from_ref(name))
+            .map_err(usage)?
+            .first()
+            .copied(),
+        None => results.channels.first(),
+    };
+    let Some(x) = x else {
+        return Err(Failure::Usage("the result file has no channels".to_owned()));
+    };
+    let title = args.title.as_ref().unwrap_or(&results.model);
+    let svg = if args.equal {
+        let plot = XyPlot {
+            title: title.clone(),
+            x_label: x.name.clone(),
+            x_unit: x.unit.clone(),
+            y_label: ys
+                .iter()
+                .map(|c| c.name.as_str())
+                .collect::<Vec<_>>()
+                .join(", "),
+            y_unit: ys.first().map(|c| c.unit.clone()).unwrap_or_default(),
+            curves: ys
+                .iter()
+                .map(|y| XyCurve::of_channels(&y.name, x, y))
+                .collect(),
+            equal_aspect: true,
+            ..XyPlot::default()
+        };
+        plot.to_svg()
+    } else {
+        Plot::of_channels(title, x, &ys).to_svg()
+    };
+    let path = args
+        .out
+        .clone()
+        .unwrap_or_else(|| beside(&args.results, ".svg"));
+    write_text(&path, &svg)?;
+    println!("written: {}", path.display());
+    Ok(())
+}

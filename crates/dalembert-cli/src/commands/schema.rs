@@ -1,0 +1,9 @@
+//! `dalembert schema`.
+
+use crate::failure::Failure;
+
+/// Prints the JSON Schema of model files.
+pub fn run() -> Result<(), Failure> {
+    println!("{:#}", dalembert_io::model_file::schema());
+    Ok(())
+}

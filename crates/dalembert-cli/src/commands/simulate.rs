@@ -1,0 +1,26 @@
+//! `dalembert simulate`.
+
+use crate::arguments::RunArgs;
+use crate::failure::Failure;
+use crate::load::{apply, load};
+use crate::summary;
+use dalembert::analysis::Dynamics;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Runs the simulation and prints its summary.
+pub fn run(args: &RunArgs) -> Result<(), Failure> {
+    let loaded = load(&args.model, apply(args))?;
+    let options = &loaded.compiled.options;
+    let (start, end) = (options.start, options.end);
+    let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr_with_hz(4));
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {msg} s of the run, {eta} left") {
+        bar.set_style(style);
+    }
+    let run = Dynamics::new(options).run(&loaded.compiled.system, &mut |t| {
+        bar.set_position((1000.0 * (t - start) / (end - start)) as u64);
+        bar.set_message(summary::number(t));
+        true
+    })?;
+    bar.finish_and_clear();
+    summary::report(args, &loaded, run.results, &run.assembly, run.stopped)
+}

@@ -1,0 +1,113 @@
+//! From a model file to a compiled model, with every mistake rendered.
+
+use crate::arguments::{ModelArgs, RunArgs};
+use crate::failure::Failure;
+use dalembert::model::{Model, Value};
+use dalembert::system::compile::{Compiled, compile};
+use dalembert_io::model_file::{Parsed, parse_model, render, to_json};
+use std::io::IsTerminal;
+use std::path::Path;
+
+/// A model file, read and compiled.
+pub struct Loaded {
+    /// The model as written.
+    pub model: Model,
+    /// The compiled model.
+    pub compiled: Compiled,
+    /// Text of the file.
+    pub text: String,
+}
+
+/// Reads and compiles a model file; prints warnings.
+pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Failure> {
+    let text = std::fs::read_to_string(&args.model).map_err(|e| Failure::File {
+        path: args.model.clone(),
+        cause: format!("cannot be read: {e}"),
+    })?;
+    let overrides = overrides(&args.set)?;
+    let folder = args.model.parent();
+    let mut parsed = parse_model(&text, folder);
+    let name = args.model.display().to_string();
+    let show = |parsed: &Parsed| {
+        if args.json {
+            format!(
+                "{:#}",
+                to_json(&parsed.diagnostics, &parsed.source, &name, &text)
+            )
+        } else {
+            let color = std::io::stderr().is_terminal();
+            render(&parsed.diagnostics, &parsed.source, &name, &text, color)
+        }
+    };
+    let Some(mut draft) = parsed.draft.clone() else {
+        return Err(Failure::Model(show(&parsed)));
+    };
+    // The draft stands in for a model with mistakes, to find those inside expressions too.
+    change(&mut draft);
+    let compiled = match compile(&draft, &overrides) {
+        Ok(compiled) => {
+            parsed.add(compiled.warnings.clone());
+            Some(compiled)
+        }
+        Err(errors) => {
+            parsed.add(errors.0);
+            None
+        }
+    };
+    match (&parsed.model, compiled) {
+        (Some(_), Some(compiled)) => {
+            if !parsed.diagnostics.is_empty() {
+                eprintln!("{}", show(&parsed));
+            }
+            Ok(Loaded {
+                model: draft,
+                compiled,
+                text,
+            })
+        }
+        _ => Err(Failure::Model(show(&parsed))),
+    }
+}
+
+fn overrides(set: &[String]) -> Result<Vec<(String, Value)>, Failure> {
+    set.iter()
+        .map(|text| match text.split_once('=') {
+            Some((name, value)) if !name.trim().is_empty() && !value.trim().is_empty() => {
+                Ok((name.trim().to_owned(), number_or_text(value.trim())))
+            }
+            _ => Err(Failure::Usage(format!(
+                "--set {text}: write --set NAME=VALUE"
+            ))),
+        })
+        .collect()
+}
+
+fn number_or_text(text: &str) -> Value {
+    text.parse::<f64>()
+        .map_or_else(|_| Value::Text(text.to_owned()), Value::Number)
+}
+
+/// Puts the options of the command line into the model.
+pub fn apply(args: &RunArgs) -> impl Fn(&mut Model) + '_ {
+    |model| {
+        let a = &mut model.analysis;
+        for (option, slot) in [
+            (&args.start, &mut a.start),
+            (&args.end, &mut a.end),
+            (&args.step, &mut a.step),
+            (&args.tolerance, &mut a.tolerance),
+        ] {
+            if let Some(text) = option {
+                *slot = Some(number_or_text(text));
+            }
+        }
+    }
+}
+
+/// A file of another extension beside a file.
+pub fn beside(path: &Path, suffix: &str) -> std::path::PathBuf {
+    let stem = path
+        .file_stem()
+        .map_or_else(|| "model".into(), |s| s.to_string_lossy().into_owned());
+    path.with_file_name(format!("{stem}{suffix}"))
+}

@@ -1,0 +1,180 @@
+//! What the program prints after an analysis.
+
+use dalembert::analysis::AssemblyReport;
+use dalembert::results::Results;
+use std::path::PathBuf;
+
+/// Significant digits for people.
+pub fn number(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let magnitude = x.abs();
+    if !(1e-4..1e7).contains(&magnitude) {
+        return format!("{x:.4e}");
+    }
+    let digits = (5 - magnitude.log10().floor() as i32).clamp(0, 9) as usize;
+    let text = format!("{x:.digits$}");
+    if text.contains('.') {
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    text
+}
+
+/// What the assembly changed, in words; empty where it changed nothing.
+pub fn assembly(report: &AssemblyReport) -> Vec<String> {
+    let mut lines = Vec::new();
+    for m in report.moved.iter().take(4) {
+        let mut parts = Vec::new();
+        if m.distance > 1e-9 {
+            parts.push(format!("{} m", number(m.distance)));
+        }
+        if m.turn > 1e-9 {
+            parts.push(format!("{} deg", number(m.turn.to_degrees())));
+        }
+        lines.push(format!(
+            "assembly moved {} by {}",
+            m.body,
+            parts.join(" and ")
+        ));
+    }
+    if report.moved.len() > 4 {
+        lines.push(format!(
+            "assembly moved {} more bodies",
+            report.moved.len() - 4
+        ));
+    }
+    for m in &report.velocities_changed {
+        lines.push(format!(
+            "the given velocity of {} was changed by {} m/s and {} rad/s to fit the constraints",
+            m.body,
+            number(m.distance),
+            number(m.turn)
+        ));
+    }
+    lines.extend(
+        report
+            .velocity_conflict
+            .iter()
+            .map(|t| format!("warning: {t}")),
+    );
+    lines
+}
+
+/// A table of the most telling channels: first and last value, smallest and largest.
+pub fn table(results: &Results) -> String {
+    let telling = |name: &str| {
+        let last = name.rsplit('.').next().unwrap_or(name);
+        matches!(
+            last,
+            "angle" | "displacement" | "moment" | "force" | "length" | "x" | "y"
+        ) && !name.starts_with("momentum")
+            && name.matches('.').count() == 1
+    };
+    let mut out = String::new();
+    let rows: Vec<_> = results
+        .channels
+        .iter()
+        .filter(|c| telling(&c.name))
+        .take(24)
+        .collect();
+    let width = rows
+        .iter()
+        .map(|c| c.name.chars().count())
+        .max()
+        .unwrap_or(8)
+        .max(8);
+    out.push_str(&format!(
+        "  {:width$}  {:>13} {:>13} {:>13} {:>13}  unit\n",
+        "channel", "start", "end", "smallest", "largest"
+    ));
+    for c in rows {
+        let (Some(first), Some(last)) = (c.values.first(), c.values.last()) else {
+            continue;
+        };
+        let low = c.values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = c.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        out.push_str(&format!(
+            "  {:width$}  {:>13} {:>13} {:>13} {:>13}  {}\n",
+            c.name,
+            number(*first),
+            number(*last),
+            number(low),
+            number(high),
+            c.unit
+        ));
+    }
+    out
+}
+
+/// "written: a.csv, b.svg".
+pub fn files(written: &[PathBuf]) -> String {
+    let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
+    format!("written: {}", names.join(", "))
+}
+
+/// Prints the summary of a run over time, writes its files; a run that stopped early keeps what it
+/// has and fails.
+pub fn report(
+    args: &crate::arguments::RunArgs,
+    loaded: &crate::load::Loaded,
+    mut results: Results,
+    assembled: &AssemblyReport,
+    stopped: Option<dalembert::analysis::AnalysisError>,
+) -> Result<(), crate::failure::Failure> {
+    results.notes.extend(assembly(assembled));
+    if let Some(error) = &stopped {
+        results.notes.push(error.to_string());
+    }
+    let written = crate::output::write_all(args, loaded, &results)?;
+    if args.model.json {
+        println!(
+            "{:#}",
+            serde_json::json!({
+                "model": results.model,
+                "analysis": results.analysis,
+                "instants": results.len(),
+                "statistics": results.statistics,
+                "notes": results.notes,
+                "completed": stopped.is_none(),
+                "files": written,
+                "last": results.channels.iter().filter_map(|c| Some((c.name.clone(), *c.values.last()?))).collect::<std::collections::BTreeMap<_, _>>(),
+            })
+        );
+    } else {
+        let time = results.channel("time").map_or(&[][..], |c| &c.values[..]);
+        if let (Some(first), Some(last)) = (time.first(), time.last()) {
+            println!(
+                "{}: {}, {} instants from {} s to {} s",
+                results.model,
+                results.analysis,
+                time.len(),
+                number(*first),
+                number(*last)
+            );
+        }
+        print!("{}", table(&results));
+        for name in ["energy.balance", "violation.position"] {
+            if let Some(c) = results.channel(name) {
+                let worst = c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+                println!("  largest |{name}|: {} {}", number(worst), c.unit);
+            }
+        }
+        let statistics: Vec<String> = results
+            .statistics
+            .iter()
+            .map(|(k, v)| format!("{k} {}", number(*v)))
+            .collect();
+        println!("  {}", statistics.join(", "));
+        for note in &results.notes {
+            println!("  note: {note}");
+        }
+        if !written.is_empty() {
+            println!("{}", files(&written));
+        }
+    }
+    match stopped {
+        Some(error) => Err(error.into()),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,176 @@
+//! The rules of dimensions.
+
+use super::Checker;
+use crate::builtin::{Builtin, Rule};
+use crate::error::Fault;
+use crate::syntax::tree::{Binary, Id};
+use crate::{Dim, Quantity};
+
+impl Checker<'_> {
+    /// The quantity of the truth of an operand: a plain number, 1 or 0.
+    pub(super) fn condition(&mut self, id: Id, operand: Id) -> Option<Quantity> {
+        match self.quantity(operand)? {
+            Quantity::Known(dim) if !dim.is_none() => {
+                let span = self.tree.span(operand);
+                let fault = Fault::WrongArgument {
+                    what: self.source(span.clone()),
+                    wanted: "the place of a condition".to_owned(),
+                    given: dim.describe(),
+                };
+                self.report(id, fault, span);
+                None
+            }
+            _ => Some(Quantity::Known(Dim::NONE)),
+        }
+    }
+
+    pub(super) fn binary_quantity(
+        &mut self,
+        id: Id,
+        op: Binary,
+        left: Id,
+        right: Id,
+    ) -> Option<Quantity> {
+        use Quantity::{Free, Known};
+        if matches!(op, Binary::And | Binary::Or) {
+            let (a, b) = (self.condition(id, left), self.condition(id, right));
+            return a.and(b);
+        }
+        let (a, b) = (self.quantity(left)?, self.quantity(right)?);
+        let dim = match (op, a, b) {
+            (Binary::Multiply, Known(a), Known(b)) => a.times(b),
+            (Binary::Divide, Known(a), Known(b)) => a.over(b),
+            (Binary::Multiply | Binary::Divide, ..) => return Some(Free),
+            (Binary::Power, ..) => return self.power_quantity(id, a, right),
+            (Binary::Add | Binary::Subtract, ..) => {
+                let verb = if op == Binary::Add {
+                    "adds"
+                } else {
+                    "subtracts"
+                };
+                return self.same(id, verb, &[left, right]);
+            }
+            _ => {
+                self.same(id, "compares", &[left, right])?;
+                return Some(Known(Dim::NONE));
+            }
+        };
+        self.moderate(id, dim)
+    }
+
+    fn moderate(&mut self, id: Id, dim: Dim) -> Option<Quantity> {
+        if !dim.is_moderate() {
+            self.report(id, Fault::Dimension, self.tree.span(id));
+            return None;
+        }
+        Some(Quantity::Known(dim))
+    }
+
+    fn power_quantity(&mut self, id: Id, base: Quantity, exponent: Id) -> Option<Quantity> {
+        if let Some(Quantity::Known(dim)) = self.quantity(exponent)
+            && !dim.is_none()
+        {
+            let fault = Fault::WrongArgument {
+                what: "an exponent".to_owned(),
+                wanted: "a plain number".to_owned(),
+                given: dim.describe(),
+            };
+            self.report(id, fault, self.tree.span(exponent));
+            return None;
+        }
+        let Quantity::Known(dim) = base else {
+            return Some(Quantity::Free);
+        };
+        let result = match self.value(exponent) {
+            _ if dim.is_none() => Some(dim),
+            Some(power) => dim.power(power),
+            None => None,
+        };
+        let Some(result) = result else {
+            let base = dim.describe();
+            self.report(id, Fault::Exponent { base }, self.tree.span(id));
+            return None;
+        };
+        self.moderate(id, result)
+    }
+
+    /// The common quantity of some terms.
+    fn same(&mut self, id: Id, verb: &str, terms: &[Id]) -> Option<Quantity> {
+        let mut common = Quantity::Free;
+        for &term in terms {
+            match common.join(self.quantity(term)?) {
+                Ok(joined) => common = joined,
+                Err((left, right)) => {
+                    let span = self.tree.span(id);
+                    let fault = Fault::Mismatch {
+                        what: format!("{} {verb}", self.source(span.clone())),
+                        left: left.describe(),
+                        right: right.describe(),
+                    };
+                    self.report(id, fault, span);
+                    return None;
+                }
+            }
+        }
+        Some(common)
+    }
+
+    /// Does an argument have the dimension that a function asks for?
+    pub(super) fn takes(
+        &mut self,
+        id: Id,
+        name: &str,
+        wanted: Quantity,
+        argument: Id,
+    ) -> Option<()> {
+        let given = self.quantity(argument)?;
+        if given.join(wanted).is_ok() {
+            return Some(());
+        }
+        let fault = Fault::WrongArgument {
+            what: format!("`{name}`"),
+            wanted: wanted.describe(),
+            given: given.describe(),
+        };
+        self.report(id, fault, self.tree.span(argument));
+        None
+    }
+
+    pub(super) fn builtin_quantity(
+        &mut self,
+        id: Id,
+        function: &Builtin,
+        arguments: &[Id],
+    ) -> Option<Quantity> {
+        let name = function.name;
+        let plain = |quantity: Quantity| match quantity {
+            // Nothing is known: the value may be meant in SI units of its place.
+            Quantity::Free => Quantity::Free,
+            Quantity::Known(_) => Quantity::Known(Dim::NONE),
+        };
+        match function.rule {
+            Rule::Plain => {
+                self.takes(id, name, Dim::NONE.into(), arguments[0])?;
+                self.quantity(arguments[0])
+            }
+            Rule::Same => self.same(id, "mixes", arguments),
+            Rule::Ratio => self.same(id, "mixes", arguments).map(plain),
+            Rule::Choice => {
+                let condition = self.condition(id, arguments[0]);
+                let value = self.same(id, "chooses between", &arguments[1..]);
+                condition.and(value)
+            }
+            Rule::Root => {
+                let Quantity::Known(dim) = self.quantity(arguments[0])? else {
+                    return Some(Quantity::Free);
+                };
+                let root = dim.sqrt();
+                if root.is_none() {
+                    let base = dim.describe();
+                    self.report(id, Fault::Exponent { base }, self.tree.span(id));
+                }
+                root.map(Quantity::Known)
+            }
+        }
+    }
+}

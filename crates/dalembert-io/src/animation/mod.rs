@@ -1,0 +1,23 @@
+//! The data of the animated page: what moves, how it looks, and the channels to plot beside it.
+//!
+//! Poses are those of the user's own body frames in ground axes; shapes, points and directions
+//! are given in the frame of their body. Quaternions have the scalar first and map body
+//! components to ground components. Planar machines lie in the plane z = 0.
+
+mod error;
+mod page;
+mod parts;
+mod rounded;
+mod scene;
+mod shape;
+
+#[cfg(test)]
+mod tests;
+
+pub use error::AnimationError;
+pub use page::{MARKER, html};
+pub use parts::{
+    AnimatedBody, AnimatedChannel, AnimatedTrace, Ground, Joint, JointEnd, Spring, SpringEnd,
+};
+pub use scene::{Animation, FORMAT};
+pub use shape::{Form, Shape};

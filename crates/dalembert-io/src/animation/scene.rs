@@ -1,0 +1,165 @@
+//! The whole animation, and the check that it hangs together.
+
+use super::{
+    AnimatedBody, AnimatedChannel, AnimatedTrace, AnimationError, Form, Ground, Joint, Shape,
+    Spring, rounded,
+};
+use serde::{Deserialize, Serialize};
+
+/// Format tag of the data.
+pub const FORMAT: &str = "dalembert-animation/1";
+
+/// Everything that the viewer page shows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Animation {
+    /// Format tag, [`FORMAT`].
+    pub format: String,
+    /// Title of the page: the model's name.
+    pub title: String,
+    /// "planar" or "spatial".
+    pub space: String,
+    /// Name of the analysis.
+    pub analysis: String,
+    /// Instants of the frames (s).
+    #[serde(serialize_with = "rounded::slice")]
+    pub time: Vec<f64>,
+    /// Moving bodies.
+    pub bodies: Vec<AnimatedBody>,
+    /// What stands still.
+    pub ground: Ground,
+    /// Joints.
+    pub joints: Vec<Joint>,
+    /// Springs, dampers and their like between two points.
+    pub springs: Vec<Spring>,
+    /// Points whose paths are drawn.
+    pub traces: Vec<AnimatedTrace>,
+    /// Channels to plot, one value a frame.
+    pub channels: Vec<AnimatedChannel>,
+    /// Messages for people.
+    pub notes: Vec<String>,
+    /// Rows of a small table: heading and value.
+    pub summary: Vec<(String, String)>,
+}
+
+impl Default for Animation {
+    fn default() -> Self {
+        Self {
+            format: FORMAT.to_owned(),
+            title: String::new(),
+            space: "planar".to_owned(),
+            analysis: String::new(),
+            time: Vec::new(),
+            bodies: Vec::new(),
+            ground: Ground::default(),
+            joints: Vec::new(),
+            springs: Vec::new(),
+            traces: Vec::new(),
+            channels: Vec::new(),
+            notes: Vec::new(),
+            summary: Vec::new(),
+        }
+    }
+}
+
+impl Animation {
+    /// The data as JSON; numbers keep seven significant digits.
+    ///
+    /// Refuses lengths that do not fit the number of instants, bodies that do not exist and
+    /// numbers that are not finite.
+    pub fn to_json(&self) -> Result<String, AnimationError> {
+        self.check()?;
+        Ok(serde_json::to_string(self)?)
+    }
+
+    /// Checks lengths, references and numbers.
+    pub fn check(&self) -> Result<(), AnimationError> {
+        let n = self.time.len();
+        list("time", "values", &self.time, n)?;
+        for body in &self.bodies {
+            list(&body.name, "position", &body.position, 3 * n)?;
+            list(&body.name, "quaternion", &body.quaternion, 4 * n)?;
+            shapes(&body.name, &body.shapes)?;
+        }
+        shapes("ground", &self.ground.shapes)?;
+        for channel in &self.channels {
+            list(&channel.name, "values", &channel.values, n)?;
+        }
+        for joint in &self.joints {
+            for end in [&joint.first, &joint.second] {
+                self.body_exists(&joint.name, &end.body)?;
+                finite(&joint.name, "at", &end.at)?;
+                finite(
+                    &joint.name,
+                    "direction",
+                    end.direction.as_ref().map_or(&[], |d| d),
+                )?;
+            }
+        }
+        for spring in &self.springs {
+            for end in [&spring.first, &spring.second] {
+                self.body_exists(&spring.name, &end.body)?;
+                finite(&spring.name, "at", &end.at)?;
+            }
+        }
+        for trace in &self.traces {
+            self.body_exists(&trace.name, &trace.body)?;
+            finite(&trace.name, "at", &trace.at)?;
+        }
+        Ok(())
+    }
+
+    fn body_exists(&self, element: &str, body: &str) -> Result<(), AnimationError> {
+        if body == "ground" || self.bodies.iter().any(|b| b.name == body) {
+            Ok(())
+        } else {
+            Err(AnimationError::UnknownBody {
+                element: element.to_owned(),
+                body: body.to_owned(),
+            })
+        }
+    }
+}
+
+fn list(
+    element: &str,
+    field: &'static str,
+    values: &[f64],
+    expected: usize,
+) -> Result<(), AnimationError> {
+    if values.len() != expected {
+        return Err(AnimationError::WrongLength {
+            element: element.to_owned(),
+            field,
+            found: values.len(),
+            expected,
+        });
+    }
+    finite(element, field, values)
+}
+
+fn shapes(element: &str, shapes: &[Shape]) -> Result<(), AnimationError> {
+    for shape in shapes {
+        finite(element, "shape position", &shape.position)?;
+        finite(element, "shape quaternion", &shape.quaternion)?;
+        match &shape.form {
+            Form::Bar { length, width } => finite(element, "bar", &[*length, *width]),
+            Form::Rectangle { width, height } => finite(element, "rectangle", &[*width, *height]),
+            Form::Circle { radius } => finite(element, "circle", &[*radius]),
+            Form::Ring { outer, inner } => finite(element, "ring", &[*outer, *inner]),
+            Form::Polygon { points } => finite(element, "polygon", points.as_flattened()),
+            Form::Lump => Ok(()),
+        }?;
+    }
+    Ok(())
+}
+
+fn finite(element: &str, field: &'static str, values: &[f64]) -> Result<(), AnimationError> {
+    match values.iter().position(|v| !v.is_finite()) {
+        Some(index) => Err(AnimationError::NotFinite {
+            element: element.to_owned(),
+            field,
+            index,
+        }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,5 @@
+//! Tests of the plots.
+
+mod decimation;
+mod pictures;
+mod scales;

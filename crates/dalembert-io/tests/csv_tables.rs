@@ -1,0 +1,119 @@
+//! Tables whose points stand in a CSV file beside the model file.
+
+use dalembert::model::Value;
+use dalembert_io::model_file::{Parsed, parse_model, write_model};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A folder with one CSV file, and the model that names it.
+fn read(test: &str, csv: &str, keys: &str) -> (Parsed, PathBuf) {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("lift.csv"), csv).unwrap();
+    let text =
+        format!("[model]\nname = \"m\"\n[[table]]\nname = \"f\"\nfile = \"lift.csv\"\n{keys}");
+    (parse_model(&text, Some(&folder)), folder)
+}
+
+#[track_caller]
+fn check_error(test: &str, csv: &str, keys: &str, message: &str) {
+    let (parsed, _) = read(test, csv, keys);
+    let messages: Vec<&str> = parsed
+        .diagnostics
+        .iter()
+        .map(|d| d.message.as_str())
+        .collect();
+    assert_eq!(messages, [format!("table \"f\": `file`: {message}")]);
+    assert_eq!(parsed.diagnostics[0].path, "table[0].file");
+}
+
+fn numbers(numbers: &[f64]) -> Vec<Value> {
+    numbers.iter().copied().map(Value::Number).collect()
+}
+
+#[test]
+fn headings_comments_and_spaces_are_tolerated() {
+    let (parsed, folder) = read("plain", "# measured\nphi, lift\n0, 1.5\n\n 1 ,-2e-3\n", "");
+    assert_eq!(parsed.diagnostics, []);
+    let model = parsed.model.unwrap();
+    assert_eq!(model.tables[0].x, numbers(&[0.0, 1.0]));
+    assert_eq!(model.tables[0].y, numbers(&[1.5, -0.002]));
+    // The file stays the home of the points.
+    let written = write_model(&model);
+    assert!(!written.contains("x = "), "{written}");
+    assert_eq!(parse_model(&written, Some(&folder)).model, Some(model));
+    // What the engine says of the points is shown at the file's name.
+    let (points, file) = (
+        parsed.source.locate("table[0].y[1]"),
+        parsed.source.locate("table[0].file"),
+    );
+    assert!(points.is_some() && points == file);
+}
+
+#[test]
+fn columns_units_and_semicolons() {
+    let (parsed, _) = read(
+        "units",
+        "n;phi;lift\n1;0;0\n2;90;-1.5\n",
+        "columns = [2, 3]\nx_unit = \"deg\"\ny_unit = \"mm\"\n",
+    );
+    assert_eq!(parsed.diagnostics, []);
+    let table = &parsed.model.unwrap().tables[0];
+    assert_eq!(table.x, ["0 deg".into(), "90 deg".into()]);
+    assert_eq!(table.y, ["0 mm".into(), "-1.5 mm".into()]);
+}
+
+#[test]
+fn a_field_that_is_no_number() {
+    check_error(
+        "text",
+        "0,1\n1,two\n",
+        "",
+        "\"lift.csv\", line 2, column 2: \"two\" is not a finite number",
+    );
+    check_error(
+        "half-heading",
+        "0,lift\n1,2\n2,3\n",
+        "",
+        "\"lift.csv\", line 1, column 2: \"lift\" is not a finite number",
+    );
+    check_error(
+        "infinite",
+        "0,1\n1,2\n2,inf\n",
+        "",
+        "\"lift.csv\", line 3, column 2: \"inf\" is not a finite number",
+    );
+}
+
+#[test]
+fn a_column_that_is_not_there() {
+    check_error(
+        "short",
+        "0,1\n1,2\n",
+        "columns = [1, 3]\n",
+        "\"lift.csv\", line 1: there is no column 3",
+    );
+}
+
+#[test]
+fn too_few_lines() {
+    check_error(
+        "few",
+        "x,y\n0,1\n",
+        "",
+        "\"lift.csv\" has 1 lines of numbers; a table needs at least 2",
+    );
+}
+
+#[test]
+fn a_file_that_is_not_there() {
+    let text = "[model]\nname = \"m\"\n[[table]]\nname = \"f\"\nfile = \"none.csv\"\n";
+    let parsed = parse_model(text, Some(Path::new(env!("CARGO_TARGET_TMPDIR"))));
+    assert_eq!(parsed.diagnostics.len(), 1);
+    assert!(
+        parsed.diagnostics[0]
+            .message
+            .starts_with("table \"f\": `file`: cannot read \"none.csv\": ")
+    );
+    assert_eq!(parsed.model, None);
+}

@@ -1,0 +1,26 @@
+//! Time integration. Integrators see an ordinary differential equation with invariants; never a body.
+
+mod dopri5;
+
+pub use dopri5::{Dopri5, StepError, StepReport};
+
+/// An ordinary differential equation y' = f(t, y) whose solutions stay on a manifold.
+pub trait Ode {
+    /// Why an evaluation can fail.
+    type Error;
+    /// Number of states.
+    fn dim(&self) -> usize;
+    /// dy/dt.
+    ///
+    /// # Errors
+    /// The right side cannot be evaluated here; the step is tried again shorter.
+    fn rhs(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), Self::Error>;
+    /// Scales of the errors: what counts as 1 for every state near `y`; infinity for states that
+    /// are not controlled.
+    fn scales(&mut self, y: &[f64], scales: &mut [f64]);
+    /// Moves an accepted state back onto the manifold. Returns whether anything changed.
+    ///
+    /// # Errors
+    /// The manifold was not reached; the step is tried again shorter.
+    fn project(&mut self, t: f64, y: &mut [f64]) -> Result<bool, Self::Error>;
+}
