@@ -30,7 +30,10 @@ pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Fai
     let name = args.model.display().to_string();
     let show = |parsed: &Parsed| {
         if args.json {
-            format!("{:#}", to_json(&parsed.diagnostics, &parsed.source, &name, &text))
+            format!(
+                "{:#}",
+                to_json(&parsed.diagnostics, &parsed.source, &name, &text)
+            )
         } else {
             let color = std::io::stderr().is_terminal();
             render(&parsed.diagnostics, &parsed.source, &name, &text, color)
@@ -56,7 +59,11 @@ pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Fai
             if !parsed.diagnostics.is_empty() {
                 eprintln!("{}", show(&parsed));
             }
-            Ok(Loaded { model: draft, compiled, text })
+            Ok(Loaded {
+                model: draft,
+                compiled,
+                text,
+            })
         }
         _ => Err(Failure::Model(show(&parsed))),
     }

@@ -15,8 +15,14 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
     let loaded = load(&args.run.model, apply(&args.run))?;
     let system = &loaded.compiled.system;
     let options = &loaded.compiled.options;
-    let newton = NewtonOptions { max_iterations: options.max_iterations, ..NewtonOptions::default() };
-    let kinematics = Kinematics { instants: options.instants(), newton };
+    let newton = NewtonOptions {
+        max_iterations: options.max_iterations,
+        ..NewtonOptions::default()
+    };
+    let kinematics = Kinematics {
+        instants: options.instants(),
+        newton,
+    };
     let dynamics = || {
         let run = Dynamics::new(options).run(system, &mut |_| true)?;
         Ok::<_, Failure>((run.results, run.assembly, run.stopped))
@@ -45,9 +51,14 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
         ("Instants".to_owned(), results.len().to_string()),
     ];
     let animation = scene::animation(&loaded, &results, facts);
-    let path = args.page.clone().unwrap_or_else(|| beside(&args.run.model.model, ".html"));
-    let page = html(template, &animation)
-        .map_err(|e| Failure::File { path: path.clone(), cause: e.to_string() })?;
+    let path = args
+        .page
+        .clone()
+        .unwrap_or_else(|| beside(&args.run.model.model, ".html"));
+    let page = html(template, &animation).map_err(|e| Failure::File {
+        path: path.clone(),
+        cause: e.to_string(),
+    })?;
     write_text(&path, &page)?;
     let mut written = crate::output::write_all(&args.run, &loaded, &results)?;
     written.insert(0, path);

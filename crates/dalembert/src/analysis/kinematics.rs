@@ -136,7 +136,11 @@ struct Actuated<'a> {
 
 impl<'a> Actuated<'a> {
     fn new(system: &'a System<Planar>) -> Self {
-        Self { ws: Workspace::new(system), weights: Weights::even(system), system }
+        Self {
+            ws: Workspace::new(system),
+            weights: Weights::even(system),
+            system,
+        }
     }
 
     fn solve(&mut self, state: &State, a: &[f64]) -> Result<(), AnalysisError> {
@@ -150,23 +154,34 @@ impl<'a> Actuated<'a> {
         // The rows of the actuators do not hold a value: no violation to report.
         for e in system.elements.iter().filter(|e| e.role == Role::Driver) {
             ws.value[e.rows.clone()].fill(0.0);
-            let rate: f64 = e.coordinates.iter().map(|c| {
-                let (i, j) = (e.markers[c.measure.first], e.markers[c.measure.second]);
-                c.measure.kind.evaluate(&ws.markers[i], &ws.markers[j]).rate
-            }).sum();
+            let rate: f64 = e
+                .coordinates
+                .iter()
+                .map(|c| {
+                    let (i, j) = (e.markers[c.measure.first], e.markers[c.measure.second]);
+                    c.measure.kind.evaluate(&ws.markers[i], &ws.markers[j]).rate
+                })
+                .sum();
             // The recorder takes the power of a driver from C_t = -(rate).
             ws.time[e.rows.clone()].fill(-rate);
         }
         if missing <= 1e-8 {
             return Ok(());
         }
-        let names: Vec<&str> =
-            system.elements.iter().filter(|e| e.role == Role::Driver).map(|e| e.name.as_str()).collect();
+        let names: Vec<&str> = system
+            .elements
+            .iter()
+            .filter(|e| e.role == Role::Driver)
+            .map(|e| e.name.as_str())
+            .collect();
         Err(AnalysisError::Singular {
             time: state.t,
             last: state.t,
             kind: "actuators without a grip",
-            detail: format!("{} cannot produce this motion in this pose; choose other joints", names.join(", ")),
+            detail: format!(
+                "{} cannot produce this motion in this pose; choose other joints",
+                names.join(", ")
+            ),
         })
     }
 }

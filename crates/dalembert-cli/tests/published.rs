@@ -1,0 +1,15 @@
+//! Results that others published, or that follow from closed forms, against what the program answers.
+//!
+//! Every case is a model file in `cases/`, which also serves as an example, and a list of values at
+//! given instants. Sources are named at each case.
+
+mod published {
+    mod benchmarks;
+    pub mod harness;
+
+    mod shabana_dynamics;
+    mod shabana_four_bar;
+    mod shabana_kinematics;
+    mod shabana_slider_crank;
+    mod textbook_kinematics;
+}
