@@ -1,0 +1,15 @@
+//! The example gallery: every model in `examples/`, run through the program, against closed forms and
+//! published digits.
+
+mod examples {
+    mod arms;
+    mod cams;
+    mod free_motion;
+    mod gallery;
+    mod gears;
+    mod geometry;
+    mod linkages;
+    mod power;
+    mod run;
+    mod straight_lines;
+}
