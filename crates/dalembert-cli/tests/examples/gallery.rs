@@ -18,14 +18,14 @@ fn every_model_is_in_the_gallery() {
         let page = fs::read_to_string(gallery.join(format!("{name}.md")))
             .unwrap_or_else(|e| panic!("docs/gallery/{name}.md: {e}"));
         assert!(
-            page.contains(&format!("({name}.png)")),
+            page.contains(&format!("({name}.svg)")),
             "{name}.md shows its picture"
         );
         assert!(
             page.contains(&format!("examples/{name}.toml")),
             "{name}.md names its model"
         );
-        assert!(gallery.join(format!("{name}.png")).exists(), "{name}.png");
+        assert!(gallery.join(format!("{name}.svg")).exists(), "{name}.svg");
         assert!(
             index.contains(&format!("({name}.md)")),
             "README.md leads to {name}.md"
