@@ -82,7 +82,8 @@ fn overrides(set: &[String]) -> Result<Vec<(String, Value)>, Failure> {
         .collect()
 }
 
-fn number_or_text(text: &str) -> Value {
+/// A number, or a text with a unit or an expression.
+pub fn number_or_text(text: &str) -> Value {
     text.parse::<f64>()
         .map_or_else(|_| Value::Text(text.to_owned()), Value::Number)
 }

@@ -9,6 +9,7 @@ mod published {
 
     mod shabana_dynamics;
     mod shabana_four_bar;
+    mod shabana_inverse;
     mod shabana_kinematics;
     mod shabana_slider_crank;
     mod textbook_kinematics;

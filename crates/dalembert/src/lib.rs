@@ -7,8 +7,8 @@
 pub mod analysis;
 pub mod diagnostic;
 pub mod force;
-pub mod integrate;
 pub mod formulation;
+pub mod integrate;
 pub mod joint;
 pub mod model;
 pub mod network;
