@@ -9,7 +9,9 @@ mod examples {
     mod gears;
     mod geometry;
     mod linkages;
+    mod mobility;
     mod power;
     mod run;
+    mod statics;
     mod straight_lines;
 }

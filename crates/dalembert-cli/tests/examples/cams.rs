@@ -1,6 +1,8 @@
 //! Cams and their followers.
 
 use super::power::G;
+#[cfg(feature = "viewer")]
+use super::run::example;
 use super::run::{Run, close};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -119,4 +121,39 @@ fn flat_face() {
             0.02 * double.cos(),
         ]
     });
+}
+
+/// The page draws the cam by its profile: as far as the outline reaches up, so far up is the face.
+#[cfg(feature = "viewer")]
+#[test]
+fn the_page_shows_the_profile() {
+    let page = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("cam-flat.html");
+    let answer = std::process::Command::new(env!("CARGO_BIN_EXE_dalembert"))
+        .arg("view")
+        .arg(example("cam-flat"))
+        .arg("--page")
+        .arg(&page)
+        .output()
+        .unwrap();
+    assert!(answer.status.success());
+    let text = std::fs::read_to_string(&page).unwrap();
+    let start = text.find("\"dalembert-animation/1\"").expect("the data");
+    let data = &text[text[..start].rfind('{').unwrap()..];
+    let data: serde_json::Value = serde_json::Deserializer::from_str(data)
+        .into_iter()
+        .next()
+        .unwrap()
+        .unwrap();
+    let contact = data["joints"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|joint| joint["name"] == "contact")
+        .unwrap();
+    let outline = contact["first"]["outline"].as_array().unwrap();
+    let top = outline
+        .iter()
+        .map(|point| point[1].as_f64().unwrap())
+        .fold(0.0, f64::max);
+    close("reach", top, 0.04, 1e-8);
 }

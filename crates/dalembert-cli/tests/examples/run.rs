@@ -53,7 +53,7 @@ impl Run {
         for file in [&out, &out.with_extension("json")] {
             let _ = std::fs::remove_file(file);
         }
-        assert!(results.len() > 1, "{label}: no results");
+        assert!(!results.is_empty(), "{label}: no results");
         Self { label, results }
     }
 
@@ -148,6 +148,35 @@ pub fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
         error <= tolerance,
         "{what}: found {found}, expected {expected}, off by {error:.2e}, allowed {tolerance:.0e}"
     );
+}
+
+/// Runs `dalembert COMMAND examples/MODEL.toml --json OPTIONS` and reads what it prints.
+pub fn answer(command: &str, model: &str, options: &[&str]) -> serde_json::Value {
+    let answer = Command::new(env!("CARGO_BIN_EXE_dalembert"))
+        .arg(command)
+        .arg(example(model))
+        .arg("--json")
+        .args(options)
+        .output()
+        .expect("the program starts");
+    assert!(
+        answer.status.success(),
+        "{command} {model}\n{}",
+        String::from_utf8_lossy(&answer.stderr)
+    );
+    serde_json::from_slice(&answer.stdout).expect("JSON")
+}
+
+/// Names of the gallery's models.
+pub fn models() -> Vec<String> {
+    let mut names: Vec<String> = std::fs::read_dir(examples())
+        .expect("the folder of the examples")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
+        .filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned()))
+        .collect();
+    names.sort_unstable();
+    names
 }
 
 /// Folder of the gallery's models.
