@@ -282,7 +282,7 @@ fn quick_return() {
 /// Counting says rigid; the closed form says that all cranks stay parallel.
 #[test]
 fn double_parallelogram() {
-    let run = Run::new("kinematics", "double-parallelogram", &[]);
+    let run = Run::new("inverse", "double-parallelogram", &[]);
     let turn = |t: f64| 60.0_f64.to_radians() + 50.0_f64.to_radians() * (PI * t).sin();
     for crank in [
         "left crank.angle",
@@ -294,4 +294,16 @@ fn double_parallelogram() {
     run.follows("coupler.angle", 1e-14, |_| 0.0);
     run.follows("coupler.x", 2e-13, |t| 0.15 * turn(t).cos());
     run.follows("coupler.y", 2e-13, |t| 0.15 * turn(t).sin());
+    // The forces in the pins are not unique, the moment of the motor is.
+    let crank = |name| Mass(name, 0.3, 0.3 * 0.15 * 0.15 / 12.0, 0.075);
+    let masses = [
+        crank("left crank"),
+        crank("middle crank"),
+        crank("right crank"),
+        Mass("coupler", 0.8, 0.8 * 0.4 * 0.4 / 12.0, 0.2),
+    ];
+    run.always("power", 1e-12, |i| {
+        let power = i.get("motor.moment") * i.get("motor.angle_rate");
+        (power, energy_rate(i, &masses))
+    });
 }
