@@ -121,7 +121,7 @@ def cases(source, program, tests, scratch):
                 score = off / max(1.0, abs(theirs))
                 if best is None or score > best[0]:
                     best = (score, time, heading, theirs, ours, off)
-        text = " ".join(line[3:].strip() for line in doc.splitlines())
+        text = " ".join(line[3:].strip() for line in doc.splitlines()).replace("|", "\\|")
         if best:
             _, time, heading, theirs, ours, off = best
             quantity = f"`{heading}` at {time:g} s".replace("|", "\\|")
