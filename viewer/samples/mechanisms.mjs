@@ -205,7 +205,11 @@ export function equilibrium() {
     analysis: "statics",
     ground: { shapes: [shape("rectangle", { width: 2.4, height: 0.08 }, 0.8, -0.04), shape("rectangle", { width: 0.08, height: 2.4 }, -0.04, 1.1)] },
     joints: [joint("pin-slot", "wall", side("ground", 0, 0, Math.PI / 2), side("ladder", 1, 0)), joint("revolute", "foot", side("ground", 2 * Math.cos(a), 0), side("ladder", -1, 0))],
-    channels: [{ name: "foot.force.x", unit: "N", meaning: "force on the ladder", values: [-228.7] }, { name: "foot.force.y", unit: "N", meaning: "force on the ladder", values: [981] }],
+    loads: [{ name: "weight", on: side("ladder", 0, 0) }],
+    channels: [["foot", -228.7, 981], ["wall", 228.7, 0], ["weight", 0, -981]].flatMap(([name, x, y]) => [
+      { name: `${name}.force_x`, unit: "N", meaning: "force on the ladder", values: [x] },
+      { name: `${name}.force_y`, unit: "N", meaning: "force on the ladder", values: [y] },
+    ]),
     notes: ["The equilibrium is stable."],
   });
 }

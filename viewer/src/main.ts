@@ -10,6 +10,7 @@ function start(): void {
     new Page(readAnimation(text));
   } catch (error) {
     document.body.classList.add("failed");
+    document.body.dataset.state = "failed";
     if (error instanceof ContractError) showMessage("This page cannot show its data", error.problems);
     else {
       showMessage("This page failed", [error instanceof Error ? error.message : String(error)]);

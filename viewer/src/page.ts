@@ -26,6 +26,9 @@ export class Page {
   private readonly dark = window.matchMedia("(prefers-color-scheme: dark)");
   private traces: TraceMode = "growing";
   private names = false;
+  private forces = false;
+  /** Length of the arrows, times what they have by themselves. */
+  private forceScale = 1;
   private drawing = false;
   private last: number | null = null;
 
@@ -67,9 +70,11 @@ export class Page {
 
   /** Does what the address says; did it name an instant? */
   private obey(): boolean {
-    const { time, frame, plot, x } = readAddress(location.search, location.hash);
+    const { time, frame, plot, x, forces } = readAddress(location.search, location.hash);
     if (plot) this.plots.chooseNames(plot);
     if (x !== null) this.plots.against(x);
+    if (forces !== null && forces > 0) this.scaleForces(Math.log10(forces));
+    if (forces !== null) this.setForces(forces > 0);
     if (time === null && frame === null) return false;
     this.player.pause();
     if (time !== null) this.player.seek(time);
@@ -91,9 +96,10 @@ export class Page {
     this.last = this.player.playing ? now : null;
     const frame = locate(this.animation.time, this.player.time);
     this.plots.setTheme(this.theme);
-    this.view?.draw(frame, { theme: this.theme, traces: this.traces, names: this.names });
+    this.view?.draw(frame, { theme: this.theme, traces: this.traces, names: this.names, forces: this.forces ? this.forceScale : 0 });
     this.bar.show();
     this.plots.show(frame);
+    document.body.dataset.state = "drawn";
     if (this.player.playing) this.redraw();
   }
 
@@ -104,6 +110,10 @@ export class Page {
     byId("traces-choice").hidden = view === null || this.animation.traces.length === 0;
     byId("traces").addEventListener("change", () => this.setTraces(byId<HTMLSelectElement>("traces").value as TraceMode));
     byId("names").addEventListener("click", () => this.setNames(!this.names));
+    byId("forces").hidden = byId("help-forces").hidden = !view?.hasForces;
+    byId("forces").addEventListener("click", () => this.setForces(!this.forces));
+    const slider = byId<HTMLInputElement>("force-scale");
+    slider.addEventListener("input", () => this.scaleForces(Number(slider.value)));
     byId("help-button").addEventListener("click", () => byId<HTMLDialogElement>("help").showModal());
     byId("help-drag").textContent = view?.dragHelp ?? "";
     for (const kind of ["svg", "png"] as const) {
@@ -127,6 +137,20 @@ export class Page {
   private setNames(shown: boolean): void {
     this.names = shown;
     byId("names").setAttribute("aria-pressed", String(shown));
+    this.redraw();
+  }
+
+  private setForces(shown: boolean): void {
+    this.forces = shown && this.view !== null && this.view.hasForces;
+    byId("forces").setAttribute("aria-pressed", String(this.forces));
+    byId("force-scale-choice").hidden = !this.forces;
+    this.redraw();
+  }
+
+  /** Sets the length of the arrows by its power of ten. */
+  private scaleForces(power: number): void {
+    this.forceScale = 10 ** power;
+    byId<HTMLInputElement>("force-scale").value = String(power);
     this.redraw();
   }
 
@@ -159,6 +183,7 @@ export class Page {
       f: () => view?.fit(),
       l: then(() => (player.loop = !player.loop)),
       t: () => this.setTraces(TRACE_MODES[(TRACE_MODES.indexOf(this.traces) + 1) % TRACE_MODES.length]!),
+      r: () => this.setForces(!this.forces),
       n: () => this.setNames(!this.names),
       "?": () => byId<HTMLDialogElement>("help").showModal(),
     });

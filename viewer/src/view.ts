@@ -8,6 +8,8 @@ export type PictureKind = "svg" | "png";
 export interface View {
   /** Kinds of picture that it can save. */
   readonly pictures: readonly PictureKind[];
+  /** Has it forces to show as arrows? */
+  readonly hasForces: boolean;
   /** What dragging does, for the help. */
   readonly dragHelp: string;
   draw(frame: Frame, options: ViewOptions): void;

@@ -114,7 +114,7 @@ test("every planar sample becomes a clean SVG at any frame", () => {
     for (const theme of [LIGHT, DARK]) {
       const painter = new SvgPainter(800, 600, 'a <b> & "c"');
       const last = { index: animation.time.length - 1, share: 0 };
-      figure.draw(painter, camera, last, { theme, traces: "whole", names: true, highlighted: null });
+      figure.draw(painter, camera, last, { theme, traces: "whole", names: true, forces: 0, highlighted: null });
       const svg = painter.finish();
       assert.doesNotMatch(svg, /NaN|undefined|Infinity/, name);
       assert.match(svg, /<title>a &lt;b&gt; &amp; &quot;c&quot;<\/title>/);
@@ -132,7 +132,7 @@ test("a body without a pose at a frame is left out, the others stay", () => {
   camera.resize(800, 600);
   camera.fit(figure.layout.bounds, 40);
   const painter = new SvgPainter(800, 600, "t");
-  figure.draw(painter, camera, first, { theme: LIGHT, traces: "growing", names: true, highlighted: null });
+  figure.draw(painter, camera, first, { theme: LIGHT, traces: "growing", names: true, forces: 0, highlighted: null });
   const svg = painter.finish();
   assert.doesNotMatch(svg, /NaN/);
   assert.ok(svg.includes(">crank</text>") && !svg.includes(">rod</text>"));

@@ -80,6 +80,7 @@ fn joint_end(e: &DrawnEnd) -> JointEnd {
         body: e.body.clone(),
         at: [e.at[0], e.at[1], 0.0],
         direction: Some([e.direction[0], e.direction[1], 0.0]),
+        outline: e.outline.clone(),
     }
 }
 

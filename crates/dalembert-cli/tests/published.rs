@@ -4,12 +4,15 @@
 //! given instants. Sources are named at each case.
 
 mod published {
-    mod benchmarks;
     pub mod harness;
 
+    mod benchmarks;
+    mod mobility;
     mod shabana_dynamics;
     mod shabana_four_bar;
+    mod shabana_inverse;
     mod shabana_kinematics;
     mod shabana_slider_crank;
+    mod statics;
     mod textbook_kinematics;
 }

@@ -261,7 +261,26 @@ fn a_stretched_truss_is_locked() {
             .pin("R", "b", "ground", [2.0, 0.0]),
     );
     assert_eq!((r.mobility.count, r.mobility.rank), (0, 5));
+    assert!(r.locked && r.redundant.is_empty(), "{r}");
+    assert_eq!(r.singular.len(), 1);
+}
+
+#[test]
+fn a_locked_truss_is_seen_beside_free_motions_and_redundant_rows() {
+    let r = report(
+        double_parallelogram(1.0)
+            .bar("a", [0.0, 5.0], [1.0, 5.0])
+            .bar("b", [1.0, 5.0], [2.0, 5.0])
+            .pin("P", "ground", "a", [0.0, 5.0])
+            .pin("Q", "a", "b", [1.0, 5.0])
+            .pin("R", "b", "ground", [2.0, 5.0]),
+    );
     assert!(r.locked, "{r}");
+    assert_eq!(r.freedoms(), 2);
+    assert_eq!(r.redundant.len(), 1);
+    assert_eq!(r.redundant[0].element, "J6");
+    assert_eq!(r.singular.len(), 1);
+    assert_eq!(r.singular[0].element, "R");
 }
 
 #[test]
@@ -404,6 +423,40 @@ fn a_driven_crank_meets_the_change_points_of_equal_lengths() {
             .iter()
             .all(|p| p.bodies.contains(&"rod".to_owned()))
     );
+}
+
+#[test]
+fn a_coarse_sweep_divides_its_steps() {
+    // Two revolutions in three steps: no step can be made at once.
+    let system = slider_crank(0.2, 0.5, 0.4)
+        .driver(drive_angle("O", "0.4 + 4 * pi * t / 1 s"))
+        .system();
+    let (state, _) = Assembly::default().run(&system).unwrap();
+    let options = SweepOptions {
+        steps: 3,
+        ..SweepOptions::until(1.0)
+    };
+    let sweep = driver_singularities(&system, &state, &options).unwrap();
+    assert!(sweep.stopped.is_none(), "{sweep}");
+    assert_eq!(sweep.reached, 1.0);
+}
+
+#[test]
+fn without_drivers_there_is_nothing_to_sweep() {
+    let system = four_bar().system();
+    let (state, _) = Assembly::default().run(&system).unwrap();
+    let sweep = driver_singularities(&system, &state, &SweepOptions::until(1.0)).unwrap();
+    assert!(sweep.stopped.is_some() && sweep.poses.is_empty());
+}
+
+#[test]
+fn values_that_are_not_finite_name_their_element() {
+    let system = four_bar().system();
+    let mut state = system.estimate.clone();
+    state.q[0] = f64::NAN;
+    let error = Mobility::default().run(&system, &state).unwrap_err();
+    assert!(error.to_string().contains('O'), "{error}");
+    assert!(conflicts(&system, &state).is_err());
 }
 
 #[test]

@@ -90,8 +90,7 @@ fn circuits_are_orthogonal_to_the_incidence() {
                 }
                 // Cut-sets and circuits are written from the same matrix.
                 let matrix = tree.cut_set_matrix();
-                for (branch, row) in matrix.iter().enumerate() {
-                    let cut = tree.cut_set(branch);
+                for (row, cut) in matrix.iter().zip(tree.cut_sets()) {
                     assert_eq!(cut.len(), row.iter().filter(|x| **x != 0).count());
                     assert!(cut.iter().all(|&(chord, sign)| row[chord] == sign));
                 }
@@ -181,7 +180,8 @@ fn arms_move_entries_from_ports_to_inertia_edges() {
         .position(|&e| network.edges[e].name == "inertia 2")
         .unwrap();
     let mut cut: Vec<(&str, i8)> = tree
-        .cut_set(branch)
+        .cut_sets()
+        .swap_remove(branch)
         .into_iter()
         .map(|(chord, sign)| (network.edges[tree.chords[chord]].name.as_str(), sign))
         .collect();
@@ -307,4 +307,10 @@ fn the_graph_speaks_text_dot_and_json() {
     let value = serde_json::to_value(&network).unwrap();
     assert_eq!(value["vertices"][0]["name"], "O");
     assert_eq!(value["edges"][0]["class"], "inertia");
+    let value = serde_json::to_value(&tree).unwrap();
+    assert_eq!(value["formulation"], "joint");
+    assert_eq!(
+        value["circuits"].as_array().unwrap().len(),
+        tree.chords.len()
+    );
 }

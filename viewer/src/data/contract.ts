@@ -51,6 +51,12 @@ export interface Joint {
 
 export type Spring = Joint;
 
+/** An element that pushes a body at a point. */
+export interface Load {
+  readonly name: string;
+  readonly at: Attachment;
+}
+
 export interface Trace {
   readonly name: string;
   readonly body: Body | null;
@@ -74,6 +80,7 @@ export interface Animation {
   readonly groundShapes: readonly Shape[];
   readonly joints: readonly Joint[];
   readonly springs: readonly Spring[];
+  readonly loads: readonly Load[];
   readonly traces: readonly Trace[];
   readonly channels: readonly Channel[];
   readonly notes: readonly string[];

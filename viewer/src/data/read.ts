@@ -1,4 +1,4 @@
-import { ContractError, type Animation, type Attachment, type Body, type Channel, type Joint, type Shape, type ShapeForm, type Trace } from "./contract";
+import { ContractError, type Animation, type Attachment, type Body, type Channel, type Joint, type Load, type Shape, type ShapeForm, type Trace } from "./contract";
 import { Fields, type Json } from "./fields";
 import { normalColor, paletteColor } from "./palette";
 
@@ -50,6 +50,7 @@ class Reader {
       groundShapes: this.shapes(ground.shapes, "ground"),
       joints: this.joints(root.joints, "joints"),
       springs: this.joints(root.springs, "springs"),
+      loads: this.loads(root.loads),
       traces: this.traces(root.traces),
       channels: this.channels(root.channels, time.length),
       notes: f.list(root.notes, "notes").map((note, i) => f.text(note, `notes[${i}]`)),
@@ -130,6 +131,17 @@ class Reader {
       const first = this.attachment(raw.first, `${key}[${i}] "${name}", first`);
       const second = this.attachment(raw.second, `${key}[${i}] "${name}", second`);
       if (first && second) out.push({ name, kind: this.fields.text(raw.kind, `${key}[${i}].kind`), first, second });
+    });
+    return out;
+  }
+
+  private loads(list: unknown): readonly Load[] {
+    const out: Load[] = [];
+    this.fields.list(list, "loads").forEach((entry, i) => {
+      const raw = this.fields.object(entry, `loads[${i}]`);
+      const name = this.fields.text(raw.name, `loads[${i}].name`, "");
+      const at = this.attachment(raw.on, `loads[${i}] "${name}", on`);
+      if (at) out.push({ name, at });
     });
     return out;
   }

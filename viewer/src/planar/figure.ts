@@ -4,6 +4,7 @@ import type { Frame } from "../motion/frame";
 import { planarPose, toBody, toGround, type PlanarPose } from "../motion/pose";
 import type { BodyLook } from "./body-look";
 import type { Camera } from "./camera";
+import { ForceArrows } from "./force-arrows";
 import { drawGrid, drawScale } from "./grid";
 import type { Guide } from "./guide";
 import { layOut, lookCentre, type Layout } from "./layout";
@@ -18,6 +19,8 @@ export interface FigureOptions {
   readonly theme: Theme;
   readonly traces: TraceMode;
   readonly names: boolean;
+  /** Length of the arrows of forces, times what they have by themselves; 0 for none. */
+  readonly forces: number;
   readonly highlighted: Body | null;
 }
 
@@ -33,13 +36,15 @@ const LARGEST_PIN = 14;
 /** The drawing of a planar machine, as a textbook would draw it. */
 export class Figure {
   readonly layout: Layout;
+  readonly forces: ForceArrows;
 
   constructor(private readonly animation: Animation) {
     this.layout = layOut(animation);
+    this.forces = new ForceArrows(animation, this.layout.bounds.size);
   }
 
   draw(painter: Painter, camera: Camera, frame: Frame, options: FigureOptions): void {
-    new Drawing(this.animation, this.layout, painter, camera, frame, options).draw();
+    new Drawing(this.animation, this.layout, this.forces, painter, camera, frame, options).draw();
   }
 
   /** The uppermost body at a point of the plane; `reach` is how near [m] counts as touching a thin one. */
@@ -80,6 +85,7 @@ class Drawing {
   constructor(
     private readonly animation: Animation,
     private readonly layout: Layout,
+    private readonly forces: ForceArrows,
     private readonly painter: Painter,
     private readonly camera: Camera,
     private readonly frame: Frame,
@@ -105,6 +111,7 @@ class Drawing {
     }
     this.traces();
     this.joints();
+    if (this.options.forces > 0) this.forces.draw(painter, camera, this.frame, theme, this.options.forces, (side) => this.point(side), this.unit);
     if (this.options.names) for (const look of layout.looks) this.name(look);
     drawScale(painter, camera, theme);
   }

@@ -27,7 +27,7 @@ export function layOut(animation: Animation): Layout {
   const frames = sampleFrames(animation.time.length, SAMPLES);
   const round = rollers(animation);
   const looks = inDrawingOrder(animation).map((body) => bodyLook(animation, body, round));
-  const groundParts = bodyParts(animation.groundShapes);
+  const groundParts = [...bodyParts(animation.groundShapes), ...groundCurves(animation)];
 
   const bounds = new Bounds();
   for (const part of groundParts) part.loops.forEach((loop) => bounds.addAll(loop));
@@ -69,7 +69,23 @@ export function layOut(animation: Animation): Layout {
 function inDrawingOrder(animation: Animation): readonly Body[] {
   const behind = (body: Body) =>
     animation.joints.some((j) => (j.kind === "prismatic" && j.first.body === null && j.second.body === body) || (j.kind === "pin-slot" && j.first.body === body));
-  return [...animation.bodies.filter(behind), ...animation.bodies.filter((body) => !behind(body))];
+  // A ring gear must not hide what rolls in it.
+  const width = new Map(animation.bodies.map((body) => [body, curveWidth(animation, body)]));
+  const byWidth = [...animation.bodies].sort((a, b) => width.get(b)! - width.get(a)!);
+  return [...byWidth.filter(behind), ...byWidth.filter((body) => !behind(body))];
+}
+
+/** Curves of joints that stand still. */
+function groundCurves(animation: Animation): readonly Part[] {
+  const sides = animation.joints.flatMap(({ first, second }) => [first, second]);
+  return sides.flatMap(({ body, outline }) => (body === null && outline ? [{ loops: [outline], color: null }] : []));
+}
+
+/** Width of the largest curve that is the form of a body; 0 where it has another form. */
+function curveWidth(animation: Animation, body: Body): number {
+  if (body.shapes.length > 0) return 0;
+  const sides = animation.joints.flatMap(({ first, second }) => [first, second]).filter((side) => side.body === body);
+  return Math.max(0, ...sides.map(({ outline }) => (outline ? new Bounds().addAll(outline).width : 0)));
 }
 
 /** Middle of what is drawn of a body, in its own frame. */

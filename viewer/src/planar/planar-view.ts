@@ -19,6 +19,7 @@ const PNG_SCALE = 3;
 export class PlanarView implements View {
   readonly pictures = ["svg", "png"] as const;
   readonly dragHelp = "move the picture";
+  readonly hasForces: boolean;
   private readonly figure: Figure;
   private readonly camera = new Camera();
   private readonly canvas = make("canvas", "");
@@ -34,6 +35,7 @@ export class PlanarView implements View {
     private readonly redraw: () => void,
   ) {
     this.figure = new Figure(animation);
+    this.hasForces = !this.figure.forces.empty;
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `Drawing of ${animation.title}: ${animation.bodies.map((body) => body.name).join(", ")}`);
     host.append(this.canvas);

@@ -11,6 +11,9 @@ export interface Theme {
   /** What body colours are mixed with to outline them, and how much of it. */
   readonly edgeBase: string;
   readonly edgeShare: number;
+  /** Arrows of reactions, and of forces that elements apply. */
+  readonly reaction: string;
+  readonly load: string;
 }
 
 export const LIGHT: Theme = {
@@ -23,6 +26,8 @@ export const LIGHT: Theme = {
   fillShare: 0.62,
   edgeBase: "#000000",
   edgeShare: 0.28,
+  reaction: "#c0392b",
+  load: "#1f7a4d",
 };
 
 export const DARK: Theme = {
@@ -35,4 +40,6 @@ export const DARK: Theme = {
   fillShare: 0.55,
   edgeBase: "#ffffff",
   edgeShare: 0.25,
+  reaction: "#ff8a75",
+  load: "#5fd49a",
 };

@@ -15,6 +15,7 @@ import { helix } from "./spring-line";
 /** The picture in space: WebGL, z up, turned with the mouse. */
 export class SpatialView implements View {
   readonly pictures = ["png"] as const;
+  readonly hasForces = false;
   readonly dragHelp = "turn the picture; with the right button, move it";
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();

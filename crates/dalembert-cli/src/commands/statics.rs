@@ -97,11 +97,12 @@ fn print_report(report: &StaticsReport, names: &[String]) {
             println!("     {motion}");
         }
         if k < 6 {
+            let rounded = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
             let pose: Vec<String> = names
                 .iter()
                 .zip(&e.q)
                 .take(24)
-                .map(|(n, x)| format!("{n} {}", summary::number(*x)))
+                .map(|(n, x)| format!("{n} {}", summary::number(rounded(*x))))
                 .collect();
             println!("     centre of mass: {}", pose.join(", "));
         }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Results of one run, and what missed its expected value so far.
@@ -64,6 +64,17 @@ impl Run {
         );
     }
 
+    /// A channel must have a value in the first row.
+    pub fn first(&mut self, channel: &str, expected: f64, tolerance: f64) {
+        let found = self.channel(channel)[0];
+        self.same(
+            &format!("{channel} in the first row"),
+            found,
+            expected,
+            tolerance,
+        );
+    }
+
     /// Channels of one owner at one instant, all to the same absolute tolerance.
     pub fn all(&mut self, time: f64, owner: &str, expected: &[(&str, f64)], tolerance: f64) {
         for (suffix, value) in expected {
@@ -76,7 +87,7 @@ impl Run {
         self.compared += 1;
         let error = (found - expected).abs();
         // Written so that a NaN is a miss.
-        if !(error <= tolerance) {
+        if error.is_nan() || error > tolerance {
             self.misses.push(format!(
                 "  {what}: found {found}, expected {expected}, off by {error:.3e}, allowed {tolerance:.1e}"
             ));
@@ -97,23 +108,10 @@ fn arguments(options: &str) -> Vec<String> {
 }
 
 fn results(command: &str, model: &str, options: &str) -> HashMap<String, Vec<f64>> {
-    let file = model_file(model);
     let out = scratch_file(model);
-    let answer = Command::new(env!("CARGO_BIN_EXE_dalembert"))
-        .arg(command)
-        .arg(&file)
-        .args(arguments(options))
-        .arg("--out")
-        .arg(&out)
-        .output()
-        .expect("the program starts");
-    assert!(
-        answer.status.success(),
-        "dalembert {command} {} {options}\n{}{}",
-        file.display(),
-        String::from_utf8_lossy(&answer.stdout),
-        String::from_utf8_lossy(&answer.stderr)
-    );
+    let mut arguments = arguments(options);
+    arguments.extend(["--out".to_owned(), out.display().to_string()]);
+    succeeded(command, &model_file(model), &arguments);
     let text = std::fs::read_to_string(&out).expect("the results were written");
     // One file a run; nothing else reads it.
     for file in [&out, &out.with_extension("json")] {
@@ -122,14 +120,60 @@ fn results(command: &str, model: &str, options: &str) -> HashMap<String, Vec<f64
     columns(&text)
 }
 
+/// What the program answers with `--json`.
+pub fn answer(command: &str, model: &str, options: &str) -> serde_json::Value {
+    answer_about(command, &model_file(model), options)
+}
+
+/// The same for any model file.
+pub fn answer_about(command: &str, file: &Path, options: &str) -> serde_json::Value {
+    let mut arguments = arguments(options);
+    arguments.push("--json".to_owned());
+    let text = succeeded(command, file, &arguments);
+    serde_json::from_str(&text).expect("the answer is JSON")
+}
+
+/// What the program says where it must fail.
+pub fn refused(command: &str, model: &str, options: &str) -> String {
+    let output = run(command, &model_file(model), &arguments(options));
+    assert!(
+        !output.status.success(),
+        "dalembert {command} {model} {options} should fail\n{}",
+        String::from_utf8_lossy(&output.stdout)
+    );
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn succeeded(command: &str, file: &Path, arguments: &[String]) -> String {
+    let output = run(command, file, arguments);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        output.status.success(),
+        "dalembert {command} {} {arguments:?}\n{text}{}",
+        file.display(),
+        String::from_utf8_lossy(&output.stderr)
+    );
+    text
+}
+
+fn run(command: &str, file: &Path, arguments: &[String]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_dalembert"))
+        .arg(command)
+        .arg(file)
+        .args(arguments)
+        .output()
+        .expect("the program starts")
+}
+
 /// Path of a model file of the cases.
-pub fn model_file(model: &str) -> PathBuf {
+fn model_file(model: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("tests/cases")
         .join(model)
 }
 
-fn scratch_file(model: &str) -> PathBuf {
+/// A file of this run alone, for the time of a test.
+pub fn scratch_file(model: &str) -> PathBuf {
     static COUNT: AtomicUsize = AtomicUsize::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
     Path::new(env!("CARGO_TARGET_TMPDIR"))

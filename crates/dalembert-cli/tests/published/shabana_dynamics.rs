@@ -211,6 +211,16 @@ fn problem_6_22_one_turn() {
     }
 }
 
+/// The same slider crank at 0.4 s (Section 6.12 speaks of its drift).
+#[test]
+fn section_6_12_slider_crank_at_0_4_s() {
+    let options = "rod_mass=1; slider_mass=0.2; moment=10; speed=150; g=0; force=15; \
+                   --end 0.4; --step 0.1";
+    published("simulate", "slider-crank-loaded.toml", options, |run| {
+        run.near(0.4, "crank.angle", 92.1641103590, 1e-8);
+    });
+}
+
 /// Example 5.11: cylinder in a circular track; contact force and period (elliptic integral).
 #[test]
 fn example_5_11_rolling_in_a_track() {

@@ -52,6 +52,13 @@ pub struct JointEnd {
     /// Direction in the frame of the body, for joints that have one.
     #[serde(serialize_with = "rounded::optional")]
     pub direction: Option<[f64; 3]>,
+    /// Closed curve fixed to the body, in the frame of the body (m): a cam's profile.
+    #[serde(
+        default,
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "rounded::points"
+    )]
+    pub outline: Vec<[f64; 2]>,
 }
 
 /// A force element between two points.

@@ -88,6 +88,7 @@ impl Animation {
             for end in [&joint.first, &joint.second] {
                 self.body_exists(&joint.name, &end.body)?;
                 finite(&joint.name, "at", &end.at)?;
+                finite(&joint.name, "outline", end.outline.as_flattened())?;
                 finite(
                     &joint.name,
                     "direction",

@@ -8,6 +8,7 @@ fn sample() -> Animation {
         body: body.to_owned(),
         at: [0.1, 0.0, 0.0],
         direction: None,
+        outline: Vec::new(),
     };
     let spring_end = |body: &str| SpringEnd {
         body: body.to_owned(),

@@ -6,6 +6,7 @@ use super::recorder::{Extra, Recorder};
 use super::weights::Weights;
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
+use crate::solve::independent_rows;
 use crate::space::Planar;
 use crate::system::{Role, State, System, Workspace};
 use nalgebra::DMatrix;
@@ -50,7 +51,8 @@ struct Watch {
 impl Watch {
     fn new(c: &DMatrix<f64>) -> Self {
         let mut watch = Self {
-            rows: independent_rows(c),
+            // Columns are scaled already; a failure (not finite) leaves nothing to watch.
+            rows: independent_rows(c, &vec![1.0; c.ncols()], 1e-8).unwrap_or_default(),
             sign: 0.0,
             smallest: 1.0,
         };
@@ -88,32 +90,6 @@ impl Watch {
         };
         self.sign = lu.determinant().signum();
     }
-}
-
-/// Rows that are independent of those before them, by Gram-Schmidt with reorthogonalization.
-fn independent_rows(c: &DMatrix<f64>) -> Vec<usize> {
-    let mut basis: Vec<nalgebra::DVector<f64>> = Vec::new();
-    let mut rows = Vec::new();
-    for r in 0..c.nrows() {
-        let mut x = c.row(r).transpose();
-        let norm = x.norm();
-        if norm == 0.0 {
-            continue;
-        }
-        x /= norm;
-        for _ in 0..2 {
-            for b in &basis {
-                let part = b.dot(&x);
-                x.axpy(-part, b, 1.0);
-            }
-        }
-        let left = x.norm();
-        if left > 1e-8 {
-            basis.push(x / left);
-            rows.push(r);
-        }
-    }
-    rows
 }
 
 /// C_q with columns in units of the machine's size.
@@ -225,6 +201,7 @@ impl Kinematics {
             newton: self.newton,
         }
         .run(system)?;
+        let notes = super::uniqueness::notes(system, &state);
         let running = system.running();
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
@@ -251,6 +228,7 @@ impl Kinematics {
         }
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
+        results.notes = notes;
         let instants = results.len();
         results
             .statistics

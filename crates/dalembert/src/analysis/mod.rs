@@ -12,6 +12,7 @@ mod mobility;
 mod newton;
 mod recorder;
 mod statics;
+mod uniqueness;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};

@@ -5,6 +5,7 @@ use crate::model::GROUND;
 use crate::space::Space;
 use crate::system::{Phase, Role, System};
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// Which tree spans the terminals of a body (Tokad, end of section 2.3).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -44,6 +45,9 @@ pub struct Network {
     pub(super) element_rows: Vec<usize>,
     /// Auxiliary coordinates of each constraint element.
     pub(super) element_aux: Vec<usize>,
+    /// How often the name of a terminal was given.
+    #[serde(skip)]
+    names: HashMap<String, usize>,
     /// For each element that is a joint its name and the bodies of its first two markers.
     #[serde(skip)]
     pub(super) joint_bodies: Vec<Option<(String, [Option<usize>; 2])>>,
@@ -72,6 +76,7 @@ impl Network {
             marker_vertex: vec![None; system.markers.len()],
             element_rows: system.elements.iter().map(|e| e.rows.len()).collect(),
             element_aux: system.elements.iter().map(|e| e.aux.len()).collect(),
+            names: HashMap::new(),
             joint_bodies: vec![None; system.elements.len()],
         };
         // Marker 0 is the ground's own frame.
@@ -201,13 +206,13 @@ impl Network {
         }
         let body = system.markers[marker].body;
         let owner = body.map_or(GROUND, |b| system.bodies[b].name.as_str());
-        let plain = format!("{owner}@{user}");
-        let mut name = plain.clone();
-        let mut count = 1;
-        while self.vertices.iter().any(|v| v.name == name) {
-            count += 1;
-            name = format!("{plain}.{count}");
-        }
+        // Two frames of a component on one body are told apart by number.
+        let count = self.names.entry(format!("{owner}@{user}")).or_insert(0);
+        *count += 1;
+        let name = match count {
+            1 => format!("{owner}@{user}"),
+            n => format!("{owner}@{user}.{n}"),
+        };
         let vertex = self.vertices.len();
         let (class, kind, head) = match (body, self.terminals) {
             (None, _) => (EdgeClass::Anchor, "anchor", ORIGIN),

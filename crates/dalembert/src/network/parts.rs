@@ -38,38 +38,32 @@ impl Network {
             }
         }
         let ground_root = sets.root(ground);
-        let mut roots: Vec<usize> = Vec::new();
-        for body in 0..ground {
-            let root = sets.root(body);
-            if !roots.contains(&root) {
-                roots.push(root);
+        let mut number: Vec<Option<usize>> = vec![None; ground + 1];
+        let mut parts: Vec<Part> = Vec::new();
+        let own: Vec<usize> = (0..=ground).map(|n| sets.root(n)).collect();
+        for (body, name) in self.bodies.iter().enumerate() {
+            let part = *number[own[body]].get_or_insert_with(|| {
+                parts.push(Part {
+                    bodies: Vec::new(),
+                    grounded: own[body] == ground_root,
+                    forces: Vec::new(),
+                });
+                parts.len() - 1
+            });
+            parts[part].bodies.push(name.clone());
+        }
+        for e in &self.edges {
+            let (a, b) = (own[node(e.tail)], own[node(e.head)]);
+            if !matches!(e.source, EdgeSource::Force(_)) || a == b {
+                continue;
+            }
+            for part in [a, b].into_iter().filter_map(|root| number[root]) {
+                if !parts[part].forces.contains(&e.component) {
+                    parts[part].forces.push(e.component.clone());
+                }
             }
         }
-        roots.sort_by_key(|root| *root != ground_root);
-        roots
-            .into_iter()
-            .map(|root| {
-                let mut part = Part {
-                    bodies: Vec::new(),
-                    grounded: root == ground_root,
-                    forces: Vec::new(),
-                };
-                for (body, name) in self.bodies.iter().enumerate() {
-                    if sets.root(body) == root {
-                        part.bodies.push(name.clone());
-                    }
-                }
-                for e in &self.edges {
-                    if !matches!(e.source, EdgeSource::Force(_)) {
-                        continue;
-                    }
-                    let (a, b) = (sets.root(node(e.tail)), sets.root(node(e.head)));
-                    if a != b && (a == root || b == root) && !part.forces.contains(&e.component) {
-                        part.forces.push(e.component.clone());
-                    }
-                }
-                part
-            })
-            .collect()
+        parts.sort_by_key(|part| !part.grounded);
+        parts
     }
 }

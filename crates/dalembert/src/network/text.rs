@@ -90,9 +90,9 @@ impl SpanningTree {
         let _ = writeln!(out, "Tree: {}", list(&self.branches));
         let _ = writeln!(out, "Cotree: {}", list(&self.chords));
         let _ = writeln!(out, "Cut-sets (through variables sum to zero):");
-        for (position, &branch) in self.branches.iter().enumerate() {
+        for (&branch, cut) in self.branches.iter().zip(self.cut_sets()) {
             let _ = write!(out, "  y[{}]", name(branch));
-            for (chord, sign) in self.cut_set(position) {
+            for (chord, sign) in cut {
                 let _ = write!(
                     out,
                     "{}y[{}]",
@@ -103,7 +103,8 @@ impl SpanningTree {
             let _ = writeln!(out, " = 0");
         }
         let _ = writeln!(out, "Circuits (across variables):");
-        for (&chord, path) in self.chords.iter().zip(&self.paths) {
+        for (position, &chord) in self.chords.iter().enumerate() {
+            let path = self.circuit(position);
             let _ = write!(out, "  x[{}] = ", name(chord));
             for (k, &(branch, sign)) in path.iter().enumerate() {
                 let _ = write!(

@@ -1,15 +1,18 @@
 //! Spanning trees with their fundamental cut-sets and circuits.
 
 use super::union_find::UnionFind;
-use super::{EdgeSource, Formulation, FormulationSize, Network, NetworkError, TerminalGraph};
-use serde::Serialize;
+use super::{Formulation, FormulationSize, Network, NetworkError, TerminalGraph};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 /// A spanning tree (a forest where the graph is not connected) and what follows from it.
 ///
 /// With the incidence matrix split into branches and chords, A = [A_b A_ch], the matrix
 /// A_c = A_b^-1 A_ch has entries 0, +1, -1. Cut-sets: y_b + A_c y_c = 0. Circuits:
 /// x_c - A_c^T x_b = 0.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+///
+/// Written as data: formulation, branches, chords, and the circuit of each chord.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SpanningTree {
     /// The formulation.
     pub formulation: Formulation,
@@ -17,8 +20,9 @@ pub struct SpanningTree {
     pub branches: Vec<usize>,
     /// Edges in the cotree.
     pub chords: Vec<usize>,
-    /// For each chord the branches of its circuit (positions in `branches`) with their entries in A_c.
-    pub paths: Vec<Vec<(usize, i8)>>,
+    /// The ends of each chord, tail and head.
+    ends: Vec<(usize, usize)>,
+    ascent: Ascent,
 }
 
 impl SpanningTree {
@@ -48,25 +52,42 @@ impl SpanningTree {
             }
         }
         chords.sort_unstable();
-        let up = Ascent::new(network, &branches);
-        let paths = chords
-            .iter()
-            .map(|&c| up.path(network.edges[c].tail, network.edges[c].head))
-            .collect();
         Self {
             formulation,
+            ascent: Ascent::new(network, &branches),
+            ends: chords
+                .iter()
+                .map(|&c| (network.edges[c].tail, network.edges[c].head))
+                .collect(),
             branches,
             chords,
-            paths,
         }
+    }
+
+    /// The circuit of a chord (a position in `chords`): branches (positions in `branches`) with
+    /// their entries in A_c, ascending.
+    pub fn circuit(&self, chord: usize) -> Vec<(usize, i8)> {
+        let (tail, head) = self.ends[chord];
+        self.ascent.path(tail, head)
+    }
+
+    /// The cut-set of each branch: chords (positions in `chords`) with their entries in A_c.
+    pub fn cut_sets(&self) -> Vec<Vec<(usize, i8)>> {
+        let mut sets = vec![Vec::new(); self.branches.len()];
+        for chord in 0..self.chords.len() {
+            for (branch, sign) in self.circuit(chord) {
+                sets[branch].push((chord, sign));
+            }
+        }
+        sets
     }
 
     /// A_c, branches x chords.
     pub fn cut_set_matrix(&self) -> Vec<Vec<i8>> {
         let mut a = vec![vec![0; self.chords.len()]; self.branches.len()];
-        for (chord, path) in self.paths.iter().enumerate() {
-            for &(branch, sign) in path {
-                a[branch][chord] = sign;
+        for (row, cut) in a.iter_mut().zip(self.cut_sets()) {
+            for (chord, sign) in cut {
+                row[chord] = sign;
             }
         }
         a
@@ -75,24 +96,13 @@ impl SpanningTree {
     /// Circuit matrix [-A_c^T I], chords x edges of the network.
     pub fn circuit_matrix(&self, network: &Network) -> Vec<Vec<i8>> {
         let mut b = vec![vec![0; network.edges.len()]; self.chords.len()];
-        for (chord, path) in self.paths.iter().enumerate() {
+        for chord in 0..self.chords.len() {
             b[chord][self.chords[chord]] = 1;
-            for &(branch, sign) in path {
+            for (branch, sign) in self.circuit(chord) {
                 b[chord][self.branches[branch]] = -sign;
             }
         }
         b
-    }
-
-    /// Chords of the cut-set of a branch with their entries in A_c.
-    pub fn cut_set(&self, branch: usize) -> Vec<(usize, i8)> {
-        let entries = self.paths.iter().enumerate();
-        entries
-            .filter_map(|(chord, path)| {
-                let entry = path.iter().find(|(b, _)| *b == branch)?;
-                Some((chord, entry.1))
-            })
-            .collect()
     }
 
     /// Coordinates and constraint rows of the formulation.
@@ -106,11 +116,12 @@ impl SpanningTree {
             .map(|&b| network.edges[b].freedoms)
             .sum();
         let mut rows = 0;
+        let mut in_tree = vec![false; network.edges.len()];
+        for &b in &self.branches {
+            in_tree[b] = true;
+        }
         for (number, edges) in network.element_edges.iter().enumerate() {
-            let in_tree = edges.iter().any(|&e| {
-                network.edges[e].source == EdgeSource::Element(number) && self.branches.contains(&e)
-            });
-            if !in_tree && !edges.is_empty() {
+            if !edges.is_empty() && !edges.iter().any(|&e| in_tree[e]) {
                 coordinates += network.element_aux[number];
                 rows += network.element_rows[number];
             }
@@ -123,7 +134,20 @@ impl SpanningTree {
     }
 }
 
+impl Serialize for SpanningTree {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let circuits: Vec<_> = (0..self.chords.len()).map(|c| self.circuit(c)).collect();
+        let mut out = serializer.serialize_struct("SpanningTree", 4)?;
+        out.serialize_field("formulation", &self.formulation)?;
+        out.serialize_field("branches", &self.branches)?;
+        out.serialize_field("chords", &self.chords)?;
+        out.serialize_field("circuits", &circuits)?;
+        out.end()
+    }
+}
+
 /// The tree as a way up from every vertex.
+#[derive(Clone, Debug, PartialEq, Eq)]
 struct Ascent {
     /// Parent vertex, position of the edge in `branches`, +1 where the edge points up.
     up: Vec<Option<(usize, usize, i8)>>,

@@ -62,7 +62,7 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// The equations of a system (with the rows that always hold) at a state.
+    /// The equations of a system at a state, with the rows that always hold.
     ///
     /// # Errors
     /// An independent coordinate has an unknown name, or an element gives a value that is not finite.
@@ -71,6 +71,7 @@ impl Equations {
         system: &System<Planar>,
         state: &State,
     ) -> Result<EquationsReport, AnalysisError> {
+        let system = &system.running();
         let names = system.coordinate_names();
         let rows: Vec<String> = (0..system.rows).map(|row| system.row_name(row)).collect();
         let preferred = self.preferred(&names)?;

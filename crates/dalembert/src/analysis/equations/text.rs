@@ -5,11 +5,13 @@ use super::report::EquationsReport;
 use super::{EquationBasis, LabelledMatrix, LabelledVector, ReferenceFrame};
 use std::fmt::Write;
 
+/// Values below this part of the largest of their column (of their matrix) are rounding and written as zero.
+const ROUNDING: f64 = 1e-14;
 /// Widest line of a matrix before its columns are continued below.
 const WIDTH: usize = 118;
 
 impl EquationsReport {
-    /// The report as text with aligned columns; numbers have six digits, zeros are points.
+    /// The report as text with aligned columns; numbers have six digits, zeros (and values that are only rounding) are points.
     pub fn to_text(&self) -> String {
         let mut out = String::new();
         // Writing to a String cannot fail.
@@ -136,6 +138,14 @@ fn list(names: &[String]) -> String {
     }
 }
 
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, x| most.max(x.abs()))
+}
+
+fn visible(x: f64, least: f64) -> String {
+    short(if x.abs() < least { 0.0 } else { x })
+}
+
 /// Vectors over the same rows side by side.
 fn table(out: &mut String, title: &str, columns: &[(&str, Option<&LabelledVector>)]) {
     let columns: Vec<_> = columns
@@ -144,13 +154,22 @@ fn table(out: &mut String, title: &str, columns: &[(&str, Option<&LabelledVector
         .collect();
     let rows = columns.first().map_or(&[][..], |(_, v)| v.rows.as_slice());
     let names: Vec<String> = columns.iter().map(|(name, _)| (*name).to_owned()).collect();
-    let cell = |i: usize, j: usize| short(columns[j].1.values[i]);
+    let least: Vec<f64> = columns
+        .iter()
+        .map(|(name, v)| match *name {
+            // How small violations are is what a reader wants to know.
+            "C" => 0.0,
+            _ => ROUNDING * largest(&v.values),
+        })
+        .collect();
+    let cell = |i: usize, j: usize| visible(columns[j].1.values[i], least[j]);
     grid(out, title, rows, &names, &cell);
 }
 
 fn matrix(out: &mut String, title: &str, m: &LabelledMatrix) {
+    let least = ROUNDING * m.values.iter().map(|row| largest(row)).fold(0.0, f64::max);
     grid(out, title, &m.rows, &m.columns, &|i, j| {
-        short(m.values[i][j])
+        visible(m.values[i][j], least)
     });
 }
 

@@ -108,18 +108,18 @@ fn reduce(
     group: &[usize],
 ) -> Result<Vec<usize>, AnalysisError> {
     let mut kept = group.to_vec();
-    // The last named is the first suspect: drivers and initial conditions stay where they matter.
     for &candidate in group {
         // Elements with coordinates of their own must stay for these to keep their places.
         if !system.elements[candidate].aux.is_empty() {
             continue;
         }
-        let names: Vec<&str> = kept
+        // First rows tell elements apart.
+        let stay: Vec<usize> = kept
             .iter()
             .filter(|&&e| e != candidate)
-            .map(|&e| system.elements[e].path.as_str())
+            .map(|&e| system.elements[e].rows.start)
             .collect();
-        let rest = system.with_elements(|e| !e.aux.is_empty() || names.contains(&e.path.as_str()));
+        let rest = system.with_elements(|e| !e.aux.is_empty() || stay.contains(&e.rows.start));
         let best = compromise(&rest, state)?;
         let (worst, _) = rest.violation(&evaluated(&rest, &best));
         if worst > CONTRADICTION {
@@ -206,7 +206,7 @@ impl fmt::Display for Conflict {
             [only] => write!(f, "{only} cannot be met"),
             names => write!(
                 f,
-                "{} contradict each other",
+                "{} cannot hold together near this pose",
                 super::dependence::list(names)
             ),
         }?;

@@ -27,13 +27,13 @@ impl Dependence {
     pub(super) fn new(
         system: &System<Planar>,
         row: usize,
-        others: &[usize],
+        others: &[(usize, f64)],
         without_effect: bool,
     ) -> Self {
         let reference = &system.row_refs()[row];
         let e = &system.elements[reference.element];
         let mut depends_on: Vec<String> = Vec::new();
-        for &other in others {
+        for &(other, _) in others {
             let name = &system.elements[system.row_refs()[other].element].name;
             if *name != e.name && !depends_on.contains(name) {
                 depends_on.push(name.clone());

@@ -5,42 +5,9 @@ use super::super::newton::{NewtonOptions, correct_positions};
 use super::super::weights::Weights;
 use super::ranked::{Ranked, column_scale};
 use super::singular_pose::{SingularKind, SingularPose};
+use super::sweep_result::{DriverSweep, SweepOptions};
 use crate::space::Planar;
 use crate::system::{Role, State, System, Workspace};
-use serde::Serialize;
-
-/// How the way of the drivers is searched.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SweepOptions {
-    /// End of the search [s].
-    pub end: f64,
-    /// Number of steps to the end.
-    pub steps: usize,
-    /// Machines with more coordinates than this get all drivers named, without the bodies that they lose.
-    pub dense_limit: usize,
-}
-
-impl SweepOptions {
-    /// Four hundred steps to the end.
-    pub fn until(end: f64) -> Self {
-        Self {
-            end,
-            steps: 400,
-            dense_limit: 800,
-        }
-    }
-}
-
-/// What the search found.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct DriverSweep {
-    /// Singular poses in the order of time.
-    pub poses: Vec<SingularPose>,
-    /// Time until which the drivers were followed [s].
-    pub reached: f64,
-    /// Why the search stopped before the end, in words.
-    pub stopped: Option<String>,
-}
 
 /// Sines of angles below this count as a singular pose: Newton's method leaves about 1e-7 there.
 const SINGULAR: f64 = 1e-5;
@@ -48,6 +15,7 @@ const SINGULAR: f64 = 1e-5;
 const INFORMATIVE: f64 = 1e-9;
 
 /// A pose on the way, with the sine of the angle of every row to those before it.
+#[derive(Clone)]
 struct Sample {
     state: State,
     sines: Vec<f64>,
@@ -84,10 +52,10 @@ pub fn driver_singularities(
     let mut failure = None;
     for k in 1..=options.steps {
         let t = start.t + dt * k as f64;
-        match sweep.next(&samples, t) {
+        match sweep.advance(&samples, t, dt) {
             Ok(sample) => samples.push(sample),
-            Err(error) => {
-                failure = Some((t, error));
+            Err(stop) => {
+                failure = Some(stop);
                 break;
             }
         }
@@ -109,8 +77,8 @@ pub fn driver_singularities(
     for state in times {
         sweep.report(system, state, &rows, options, false, &mut result)?;
     }
-    if let Some((t, error)) = failure {
-        let (last, time) = sweep.boundary(&samples, t);
+    if let Some((last, error)) = failure.map(|stop| *stop) {
+        let time = last.t;
         result.reached = time;
         let found = sweep.report(system, last, &rows, options, true, &mut result)?;
         result.stopped = Some(if found {
@@ -176,6 +144,41 @@ impl Sweep<'_> {
         Ok(Sample { state, sines })
     }
 
+    /// The pose at a later time, in smaller steps where one is too far; where none is small enough
+    /// the last pose before the way ends, and why.
+    fn advance(
+        &mut self,
+        samples: &[Sample],
+        t: f64,
+        dt: f64,
+    ) -> Result<Sample, Box<(State, AnalysisError)>> {
+        let mut error = match self.next(samples, t) {
+            Ok(sample) => return Ok(sample),
+            Err(error) => error,
+        };
+        // The way in small steps starts with the last two poses, for the direction.
+        let from = samples.len().saturating_sub(2);
+        let mut way: Vec<Sample> = samples[from..].to_vec();
+        let mut target = t;
+        while let Some(last) = way.last().map(|s| s.state.t) {
+            target = last + 0.5 * (target - last);
+            if (target - last).abs() <= 1e-11 * dt.abs() || target == last {
+                break;
+            }
+            match self.next(&way, target) {
+                Ok(sample) => way.push(sample),
+                Err(_) => continue,
+            }
+            match self.next(&way, t) {
+                Ok(sample) => return Ok(sample),
+                Err(e) => error = e,
+            }
+            target = t;
+        }
+        let last = way.pop().map(|s| s.state).unwrap_or_default();
+        Err(Box::new((last, error)))
+    }
+
     /// The pose at a later time: along the last step, else from the last pose.
     fn next(&mut self, samples: &[Sample], t: f64) -> Result<Sample, AnalysisError> {
         let at = |q: Vec<f64>, v: &[f64]| State {
@@ -190,10 +193,13 @@ impl Sweep<'_> {
         };
         if let Some(before) = before {
             let ahead = (t - last.t) / (last.t - before.t);
-            let q = last.q.iter().zip(&before.q);
-            let q = q.map(|(b, a)| b + ahead * (b - a)).collect();
-            if let Ok(sample) = self.pose(at(q, &last.v)) {
-                return Ok(sample);
+            // A far extrapolation could land on another branch.
+            if ahead <= 2.0 {
+                let q = last.q.iter().zip(&before.q);
+                let q = q.map(|(b, a)| b + ahead * (b - a)).collect();
+                if let Ok(sample) = self.pose(at(q, &last.v)) {
+                    return Ok(sample);
+                }
             }
         }
         self.pose(at(last.q.clone(), &last.v))
@@ -276,33 +282,6 @@ impl Sweep<'_> {
         (best.0 < SINGULAR).then_some(best.1)
     }
 
-    /// The last pose before a time at which there is none, and its time.
-    fn boundary(&mut self, samples: &[Sample], failing: f64) -> (State, f64) {
-        let Some(last) = samples.last() else {
-            return (State::default(), failing);
-        };
-        let span = (failing - last.state.t).abs();
-        let mut good = Sample {
-            state: last.state.clone(),
-            sines: last.sines.clone(),
-        };
-        let mut bad = failing;
-        while (bad - good.state.t).abs() > 1e-11 * span {
-            let middle = 0.5 * (good.state.t + bad);
-            if middle == good.state.t || middle == bad {
-                break;
-            }
-            let mut guess = good.state.clone();
-            guess.t = middle;
-            match self.pose(guess) {
-                Ok(sample) => good = sample,
-                Err(_) => bad = middle,
-            }
-        }
-        let time = good.state.t;
-        (good.state, time)
-    }
-
     /// Names what happens at a pose, if it is singular; false where it is not.
     fn report(
         &mut self,
@@ -360,7 +339,7 @@ impl Sweep<'_> {
     fn name_drivers(&self, ranked: &Ranked, pose: &mut SingularPose) {
         let dependent = ranked.redundant.iter();
         let mut rows: Vec<usize> = dependent
-            .flat_map(|(row, others)| others.iter().chain([row]).copied())
+            .flat_map(|(row, others)| others.iter().map(|(other, _)| *other).chain([*row]))
             .filter(|&row| self.role_of(row) == Role::Driver)
             .collect();
         if rows.is_empty() {

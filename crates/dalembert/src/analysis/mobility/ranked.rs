@@ -12,9 +12,9 @@ use crate::system::{State, System, Workspace};
 pub(super) struct Ranked {
     /// Number of independent rows.
     pub rank: usize,
-    /// Dependent rows and the rows that they follow from (empty where only the sparse factors are
-    /// known, or where the row has no gradient).
-    pub redundant: Vec<(usize, Vec<usize>)>,
+    /// Dependent rows and the rows that they follow from, with their coefficients (none where only
+    /// the sparse factors are known, or where the row has no gradient).
+    pub redundant: Vec<(usize, Vec<(usize, f64)>)>,
     /// Everything else; missing for a machine that is too large for a dense decomposition.
     pub dense: Option<RowRank>,
     /// Workspace with the markers and rows of the pose.
@@ -67,6 +67,12 @@ impl Ranked {
         dense_limit: usize,
     ) -> Result<Self, AnalysisError> {
         let mut ws = evaluated(system, state);
+        if let Some(row) = ws.value.iter().position(|c| !c.is_finite()) {
+            return Err(AnalysisError::NotFinite {
+                element: system.row_name(row),
+                time: state.t,
+            });
+        }
         if system.nv() > dense_limit {
             if let Some(row) = not_finite(system, &ws) {
                 return Err(AnalysisError::NotFinite {
@@ -89,7 +95,7 @@ impl Ranked {
         let redundant = found
             .redundant
             .iter()
-            .map(|r| (r.row, r.depends_on.iter().map(|(row, _)| *row).collect()))
+            .map(|r| (r.row, r.depends_on.clone()))
             .collect();
         Ok(Self {
             rank: found.rank,

@@ -60,8 +60,8 @@ pub struct MobilityReport {
     pub over_driven: Vec<Dependence>,
     /// Rows of drivers that lose their hold only at this pose (dead centre).
     pub dead_drivers: Vec<Dependence>,
-    /// Do all free motions of this pose exist only to first order: is the machine locked at a
-    /// singular pose?
+    /// Do free motions of this pose exist to first order only, so that the machine is locked in
+    /// them at a singular pose?
     pub locked: bool,
     /// Free motions without drivers.
     pub motions: Vec<FreeMotion>,

@@ -4,7 +4,7 @@ use super::super::AnalysisError;
 use super::dependence::Dependence;
 use super::free_motion::describe;
 use super::massless::massless_motions;
-use super::nearby::nearby_poses;
+use super::nearby::{bent_rows, nearby_poses};
 use super::ranked::Ranked;
 use super::report::{MobilityReport, Rank};
 use crate::network::{Network, TerminalGraph};
@@ -58,35 +58,54 @@ impl Mobility {
         let (undriven, driven) = (system.undriven(), system.running());
         let rank =
             |s: &System<Planar>, at: &State| Ranked::new(s, at, self.tolerance, self.dense_limit);
-        let (own, own_driven) = (rank(&undriven, state)?, rank(&driven, state)?);
-        let mut report = self.counts(system, &undriven, &driven, [&own, &own_driven]);
+        let own = rank(&undriven, state)?;
+        let with_drivers = if driven.rows > undriven.rows {
+            Some(rank(&driven, state)?)
+        } else {
+            None
+        };
+        let own_driven = with_drivers.as_ref().unwrap_or(&own);
+        let mut report = self.counts(system, &undriven, &driven, [&own, own_driven]);
 
         // Nearby poses tell repeated rows from singular poses.
         let (mut generic, mut generic_driven) = (None, None);
         let deficient = own.rank < undriven.rows || own_driven.rank < driven.rows;
         if let (true, Some(dense)) = (deficient, &own.dense) {
             let poses = nearby_poses(&undriven, state, &dense.null_space, self.poses, self.step);
-            report.locked =
-                poses.is_empty() && dense.null_space.ncols() > 0 && own.rank < undriven.rows;
             for pose in &poses {
                 keep_better(&mut generic, rank(&undriven, pose)?, own.rank);
-                keep_better(&mut generic_driven, rank(&driven, pose)?, own_driven.rank);
+                if with_drivers.is_some() {
+                    keep_better(&mut generic_driven, rank(&driven, pose)?, own_driven.rank);
+                }
             }
         }
         let generic_rank = generic.as_ref().map_or(own.rank, |r| r.rank);
-        let generic_driven_rank = generic_driven.as_ref().map_or(own_driven.rank, |r| r.rank);
+        let generic_driven = if with_drivers.is_some() {
+            generic_driven.as_ref()
+        } else {
+            generic.as_ref()
+        };
+        let generic_driven_rank = generic_driven.map_or(own_driven.rank, |r| r.rank);
         let columns = system.nv();
         report.mobility = Rank::new(columns, undriven.rows, own.rank, generic_rank);
         report.driven = Rank::new(columns, driven.rows, own_driven.rank, generic_driven_rank);
 
         let everywhere = generic.as_ref().unwrap_or(&own);
-        report.redundant = rows_of(&undriven, everywhere, |_| true);
-        report.singular = rows_of(&undriven, &own, |row| !is_redundant(everywhere, row));
-        let everywhere = generic_driven.as_ref().unwrap_or(&own_driven);
+        // Where no pose nearby has a larger rank, rows that bend apart along the motions lock them.
+        let bent = match (&generic, &own.dense) {
+            (None, Some(dense)) => bent_rows(&undriven, state, &own.redundant, &dense.null_space),
+            _ => Vec::new(),
+        };
+        report.locked = !bent.is_empty();
+        report.redundant = rows_of(&undriven, everywhere, |row| !bent.contains(&row));
+        report.singular = rows_of(&undriven, &own, |row| {
+            bent.contains(&row) || !is_redundant(everywhere, row)
+        });
+        let everywhere = generic_driven.unwrap_or(own_driven);
         let is_driver =
             |row: usize| driven.elements[driven.row_refs()[row].element].role == Role::Driver;
         report.over_driven = rows_of(&driven, everywhere, is_driver);
-        report.dead_drivers = rows_of(&driven, &own_driven, |row| {
+        report.dead_drivers = rows_of(&driven, own_driven, |row| {
             is_driver(row) && !is_redundant(everywhere, row)
         });
 

@@ -62,15 +62,20 @@ impl fmt::Display for MobilityReport {
         if m.is_singular() {
             writeln!(
                 f,
-                "Singular pose: the rank is {} here and {} nearby; {} of the freedoms exist only here",
+                "Singular pose: the rank is {} here and {} nearby; only {} of the free motions {} on beside it",
                 m.rank,
                 m.generic_rank,
-                m.generic_rank - m.rank
+                m.freedoms - (m.generic_rank - m.rank),
+                if m.freedoms - (m.generic_rank - m.rank) == 1 {
+                    "goes"
+                } else {
+                    "go"
+                }
             )?;
         } else if self.locked {
             writeln!(
                 f,
-                "Singular pose: the free motions exist only to first order, the machine is locked"
+                "Singular pose: free motions exist to first order only, the machine is locked in them"
             )?;
         }
         motions(f, "free motion", &self.motions)?;

@@ -58,6 +58,8 @@ pub struct DrawnEnd {
     pub at: [f64; 2],
     /// Direction of the element's x axis in the body's frame.
     pub direction: [f64; 2],
+    /// Closed curve that the element gives to the body, in the body's frame; mostly empty.
+    pub outline: Vec<[f64; 2]>,
 }
 
 /// A joint or a two-point force element.
@@ -91,11 +93,23 @@ impl Drawing {
     pub(super) fn add_elements(&mut self, system: &System<Planar>) {
         for e in &system.elements {
             if e.role == Role::Joint && e.markers.len() >= 2 {
+                let mut first = end(system, e.markers[0]);
+                let angle = system.markers[e.markers[0]].frame.angle;
+                first.outline = e.element.outline();
+                for p in &mut first.outline {
+                    let turned = super::context::rotate(angle, &Vector2::new(p[0], p[1]));
+                    *p = [first.at[0] + turned.x, first.at[1] + turned.y];
+                }
+                let mut second = end(system, e.markers[1]);
+                if e.kind == "rack" {
+                    // The element measures along its second body; the picture has the user's order.
+                    std::mem::swap(&mut first, &mut second);
+                }
                 self.joints.push(DrawnElement {
                     name: e.name.clone(),
                     kind: e.kind.clone(),
-                    first: end(system, e.markers[0]),
-                    second: end(system, e.markers[1]),
+                    first,
+                    second,
                 });
             }
         }
@@ -129,6 +143,7 @@ fn end(system: &System<Planar>, marker: usize) -> DrawnEnd {
         body,
         at: [at.x, at.y],
         direction: [c, s],
+        outline: Vec::new(),
     }
 }
 

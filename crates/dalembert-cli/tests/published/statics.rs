@@ -1,0 +1,96 @@
+//! Equilibria with closed forms.
+
+use super::harness::{answer, published, refused};
+
+/// A chain of ten links between two points at the same height.
+#[test]
+fn hanging_chain() {
+    published("statics", "catenary.toml", "", |run| {
+        let points = [
+            [0.0622110905191137, -0.13649095287389065],
+            [0.13805049086770194, -0.2659065058602553],
+            [0.2331915775417546, -0.381872766585004],
+            [0.3542677572058749, -0.47041969605148337],
+            [0.5, -0.5059459315710845],
+            [0.6457322427941251, -0.47041969605148337],
+            [0.7668084224582454, -0.381872766585004],
+            [0.8619495091322981, -0.2659065058602553],
+            [0.9377889094808863, -0.13649095287389065],
+        ];
+        for (k, [x, y]) in points.into_iter().enumerate() {
+            run.first(&format!("point {}.x", k + 1), x, 1e-10);
+            run.first(&format!("point {}.y", k + 1), y, 1e-10);
+        }
+        run.first("pin 0.force_x", -4.024162090074492, 1e-9);
+        run.first("pin 0.force_y", 9.81, 1e-9);
+    });
+}
+
+/// Shabana, Section 5.6, problem 5.19: a two-arm manipulator with moments on its links stands where
+/// (m2 lO + m3 l2) g cos(first) = M2 and m3 lA g cos(second) = M3; only one of the four such poses is
+/// stable, and beyond the limits there is none.
+#[test]
+fn two_arm_equilibria() {
+    let options = "first_moment=10; second_moment=3";
+    let first = (10.0_f64 / (9.81 * (2.0 * 0.4 + 1.5))).acos();
+    let second = (3.0_f64 / (9.81 * 1.5 * 0.35)).acos();
+    published("statics", "two-link-arm.toml", options, |run| {
+        // Where the arms hang down the moments hold them on the stable side.
+        run.first("first.angle", -first, 1e-10);
+        run.first("second.angle", -second, 1e-10);
+        run.first("O.force_y", 9.81 * 3.5, 1e-10);
+    });
+    // All four are found from anywhere.
+    for start in [
+        "",
+        "; first_start=-1; second_start=-1",
+        "; first_start=2; second_start=2",
+    ] {
+        let report = answer("statics", "two-link-arm.toml", &format!("{options}{start}"));
+        let equilibria = report["equilibria"].as_array().expect("a list");
+        let stable = equilibria
+            .iter()
+            .filter(|e| e["stability"] == "stable")
+            .count();
+        assert_eq!((equilibria.len(), stable), (4, 1), "from '{start}'");
+    }
+    let beyond = "first_moment=30; second_moment=3";
+    let said = refused("statics", "two-link-arm.toml", beyond);
+    assert!(said.contains("equilibrium"), "{said}");
+}
+
+/// Shabana, Sections 5.6 and 5.11, Example 5.8, problem 5.16: loads that hold a machine in
+/// its pose.
+#[test]
+fn holding_loads() {
+    let cases: [(&str, &str, &[f64]); 3] = [
+        (
+            "slider-crank-loaded.toml",
+            "moment=0; speed=0; --hold O",
+            &[-4.944434860546627],
+        ),
+        (
+            "two-link-arm.toml",
+            "first_start=50 deg; second_start=20 deg; tip_force=1; --hold O; --hold-force load",
+            &[11.382115424918481, 7.385155103292437],
+        ),
+        (
+            "pinned-rod.toml",
+            "g=9.81; force=5; direction=60 deg; moment=1; --hold-force twist",
+            &[2.1742635362074125],
+        ),
+    ];
+    for (model, options, expected) in cases {
+        let answer = answer("statics", model, options);
+        let loads = answer["loads"].as_array().expect("a list");
+        assert_eq!(loads.len(), expected.len());
+        for (load, expected) in loads.iter().zip(expected) {
+            let value = load["value"].as_f64().expect("a number");
+            assert!(
+                (value - expected).abs() < 1e-12,
+                "{model}: {value}, expected {expected}"
+            );
+            assert_eq!(load["unique"], true);
+        }
+    }
+}
