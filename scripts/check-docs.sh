@@ -17,6 +17,10 @@ for model in docs/src/examples/*.toml; do
         exit 1
     fi
 done
+# The examples that are templates.
+for template in slider-crank four-bar pendulum planetary-gear; do
+    "$program" new "$template" | diff - "docs/src/examples/$template.toml"
+done
 "$program" schema | scripts/model-reference.py --check
 scripts/docs-output.py "$program" --check
 scripts/docs-links.py

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails where a page of the manual links or includes a file that does not exist, or where a page
+"""Fails where a page of the manual links to a file that does not exist, or where a page
 is missing in SUMMARY.md."""
 
 import re
@@ -8,14 +8,13 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent / "docs" / "src"
 LINK = re.compile(r"\]\(([^)#]+?)(?:#[^)]*)?\)")
-INCLUDE = re.compile(r"\{\{#include ([^}]+)\}\}")
 
 
 def main():
     broken = []
     for page in sorted(SOURCE.rglob("*.md")):
         text = page.read_text()
-        for target in LINK.findall(text) + INCLUDE.findall(text):
+        for target in LINK.findall(text):
             if "://" not in target and not (page.parent / target.strip()).exists():
                 broken.append(f"{page.relative_to(SOURCE)}: {target} does not exist")
     summary = (SOURCE / "SUMMARY.md").read_text()

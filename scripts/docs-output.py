@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the commands of the manual and writes, or checks, the output that its pages show.
+"""Keeps what the pages of the manual show equal to the models and to the output of the program.
 
-A page shows a session as a fenced block of the language `console`: lines that start with `$ ` are
+A line `[examples/NAME.toml](...):` is followed by a block with the content of that model. A page shows a session as a fenced block of the language `console`: lines that start with `$ ` are
 commands, what follows is their output. Commands run in a copy of docs/src/examples; pictures that
 they write to ../images are kept in docs/src/images.
 
-    scripts/docs-output.py PROGRAM           write the output into the pages
+    scripts/docs-output.py PROGRAM           write models and output into the pages
     scripts/docs-output.py PROGRAM --check   fail where a page shows something else
 """
 
@@ -19,6 +19,7 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent / "docs" / "src"
 BLOCK = re.compile(r"^```console\n(.*?)^```$", re.M | re.S)
+MODEL = re.compile(r"^(\[(examples/[\w-]+\.toml)\]\([^)]*\):\n\n)```toml\n.*?^```$", re.M | re.S)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 # Counts of steps and iterations may differ by a few from machine to machine.
 COUNTS = re.compile(r"^\s*(instants|steps|\d+: \w+, residual) ")
@@ -105,14 +106,21 @@ def main():
                     return match[0]
                 return "```console\n" + "\n".join(fresh) + "\n```"
 
-            new = BLOCK.sub(replace, text)
-            if new != text:
+            def model(match):
+                return f"{match[1]}```toml\n{(SOURCE / match[2]).read_text()}```"
+
+            new = MODEL.sub(model, text)
+            if check and new != text:
+                stale += 1
+                print(f"{page.relative_to(SOURCE)}: a model differs from its file")
+            new = BLOCK.sub(replace, new)
+            if new != text and not check:
                 page.write_text(new)
         if not check:
             for image in sorted(images.iterdir()):
                 shutil.copy(image, SOURCE / "images" / image.name)
     if stale:
-        sys.exit(f"{stale} sessions of the manual are stale: run scripts/docs-output.py PROGRAM")
+        sys.exit(f"{stale} parts of the manual are stale: run scripts/docs-output.py PROGRAM")
 
 
 if __name__ == "__main__":

@@ -15,7 +15,8 @@ pub enum Stabilization {
     Baumgarte,
 }
 
-/// Section `[analysis]`; every option also stands on the command line.
+/// Section `[analysis]`: options of the analyses; `start`, `end`, `step`, `tolerance`, `actuators` and
+/// `independent` also stand on the command line.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AnalysisOptions {
