@@ -87,7 +87,7 @@ impl Run {
         self.compared += 1;
         let error = (found - expected).abs();
         // Written so that a NaN is a miss.
-        if !(error <= tolerance) {
+        if error.is_nan() || error > tolerance {
             self.misses.push(format!(
                 "  {what}: found {found}, expected {expected}, off by {error:.3e}, allowed {tolerance:.1e}"
             ));

@@ -40,14 +40,57 @@ fn two_arm_equilibria() {
         run.first("second.angle", -second, 1e-10);
         run.first("O.force_y", 9.81 * 3.5, 1e-10);
     });
-    let report = answer("statics", "two-link-arm.toml", options);
-    let equilibria = report["equilibria"].as_array().expect("a list");
-    let stable = equilibria
-        .iter()
-        .filter(|e| e["stability"] == "stable")
-        .count();
-    assert_eq!((equilibria.len(), stable), (4, 1), "{report:#}");
+    // All four are found from anywhere.
+    for start in [
+        "",
+        "; first_start=-1; second_start=-1",
+        "; first_start=2; second_start=2",
+    ] {
+        let report = answer("statics", "two-link-arm.toml", &format!("{options}{start}"));
+        let equilibria = report["equilibria"].as_array().expect("a list");
+        let stable = equilibria
+            .iter()
+            .filter(|e| e["stability"] == "stable")
+            .count();
+        assert_eq!((equilibria.len(), stable), (4, 1), "from '{start}'");
+    }
     let beyond = "first_moment=30; second_moment=3";
     let said = refused("statics", "two-link-arm.toml", beyond);
     assert!(said.contains("equilibrium"), "{said}");
+}
+
+/// Shabana, Sections 5.6 and 5.11, Example 5.8, problem 5.16: loads that hold a machine in
+/// its pose.
+#[test]
+fn holding_loads() {
+    let cases: [(&str, &str, &[f64]); 3] = [
+        (
+            "slider-crank-loaded.toml",
+            "moment=0; speed=0; --hold O",
+            &[-4.944434860546627],
+        ),
+        (
+            "two-link-arm.toml",
+            "first_start=50 deg; second_start=20 deg; tip_force=1; --hold O; --hold-force load",
+            &[11.382115424918481, 7.385155103292437],
+        ),
+        (
+            "pinned-rod.toml",
+            "g=9.81; force=5; direction=60 deg; moment=1; --hold-force twist",
+            &[2.1742635362074125],
+        ),
+    ];
+    for (model, options, expected) in cases {
+        let answer = answer("statics", model, options);
+        let loads = answer["loads"].as_array().expect("a list");
+        assert_eq!(loads.len(), expected.len());
+        for (load, expected) in loads.iter().zip(expected) {
+            let value = load["value"].as_f64().expect("a number");
+            assert!(
+                (value - expected).abs() < 1e-12,
+                "{model}: {value}, expected {expected}"
+            );
+            assert_eq!(load["unique"], true);
+        }
+    }
 }

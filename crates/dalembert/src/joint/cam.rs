@@ -134,8 +134,10 @@ impl ConstraintElement<Planar> for Cam {
         let points: Vec<Vector2<f64>> = (0..OUTLINE).map(at).collect();
         let size = points.iter().fold(0.0, |m: f64, p| m.max(p.norm()));
         // A profile that does not close on itself in a turn, or is not defined all around, is no
-        // outline. Written so that a NaN is not one either.
-        if !((at(OUTLINE) - at(0)).norm() <= CLOSED * size)
+        // outline.
+        let gap = (at(OUTLINE) - at(0)).norm();
+        if gap > CLOSED * size
+            || gap.is_nan()
             || points.iter().any(|p| !p.x.is_finite() || !p.y.is_finite())
         {
             return Vec::new();

@@ -58,7 +58,7 @@ pub fn slider_crank() -> Model {
     let (l2, l3, th) = (0.15_f64, 0.35_f64, 30.0_f64.to_radians());
     let th3 = (-l2 * th.sin() / l3).asin();
     let (ax, ay) = (l2 * th.cos(), l2 * th.sin());
-    let model = Model {
+    Model {
         info: Info {
             name: "slider crank".to_owned(),
             ..Info::default()
@@ -75,8 +75,7 @@ pub fn slider_crank() -> Model {
             prismatic("guide", ["ground", "slider"], [0.0, 0.0], [0.0, 0.0]),
         ],
         ..Model::default()
-    };
-    model
+    }
 }
 
 /// An angle driver on a joint.
