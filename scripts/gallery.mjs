@@ -28,7 +28,7 @@ const MOMENTS = {
   "double-pendulum": 0.36,
   "double-rocker": 0.02,
   "four-bar": 0.03,
-  peaucellier: 0.07,
+  peaucellier: 0.03,
   pendulum: 0.045,
   "pendulum-moving-base": 0.05,
   "planetary-gear": 0.2,

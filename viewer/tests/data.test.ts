@@ -49,6 +49,8 @@ test("the first plot shows what moves, of one unit", () => {
   assert.deepEqual(firstChoice(all).map((c) => c.name), ["a", "c"]);
   assert.deepEqual(firstChoice(all.slice(0, 1)).map((c) => c.name), ["still"]);
   assert.deepEqual(firstChoice([]), []);
+  // A pin that stays at the origin to rounding does not move.
+  assert.deepEqual(firstChoice([channel("pin", "m", [0, 1e-26]), ...all]).map((c) => c.name), ["a", "c"]);
 });
 
 test("an axis does not blow rounding errors up", () => {

@@ -13,15 +13,21 @@ const FIRST_CHOICE = 2;
 
 /** What to plot when nobody has chosen: the first channel that moves, and the next ones of the same unit. */
 export function firstChoice(channels: readonly Channel[]): readonly Channel[] {
-  const moving = channels.filter((channel) => varies(channel.values));
+  const sizes = new Map<string, number>();
+  for (const { unit, values } of channels) {
+    const { min, max } = extent(values);
+    sizes.set(unit, Math.max(sizes.get(unit) ?? 0, Math.abs(min), Math.abs(max)));
+  }
+  const moving = channels.filter(({ unit, values }) => varies(values, sizes.get(unit)!));
   const unit = (moving[0] ?? channels[0])?.unit;
   const pool = moving.length > 0 ? moving : channels;
   return pool.filter((channel) => channel.unit === unit).slice(0, FIRST_CHOICE);
 }
 
-function varies(values: Float64Array): boolean {
+/** Does a channel change by more than the rounding errors of channels of its unit, which are as large as `size`? */
+function varies(values: Float64Array, size: number): boolean {
   const { min, max } = extent(values);
-  return max - min > 1e-9 * Math.max(Math.abs(min), Math.abs(max));
+  return max - min > 1e-9 * size;
 }
 
 /** Smallest and largest value, without the gaps; 0 and 0 if there is none. */
