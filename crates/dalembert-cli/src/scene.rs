@@ -4,8 +4,8 @@ use crate::load::Loaded;
 use dalembert::results::Results;
 use dalembert::system::compile::{DrawnEnd, DrawnForm, DrawnShape};
 use dalembert_io::animation::{
-    AnimatedBody, AnimatedChannel, AnimatedTrace, Animation, Form, Joint, JointEnd, Shape, Spring,
-    SpringEnd,
+    AnimatedBody, AnimatedChannel, AnimatedTrace, Animation, Form, Joint, JointEnd, Load, Shape,
+    Spring, SpringEnd,
 };
 
 /// The page's data for a run.
@@ -59,6 +59,12 @@ pub fn animation(loaded: &Loaded, results: &Results, summary: Vec<(String, Strin
             second: spring_end(&s.second),
         });
     }
+    for (name, end) in &drawing.loads {
+        animation.loads.push(Load {
+            name: name.clone(),
+            on: spring_end(end),
+        });
+    }
     for (name, end) in &drawing.traces {
         animation.traces.push(AnimatedTrace {
             name: name.clone(),
@@ -80,6 +86,7 @@ fn joint_end(e: &DrawnEnd) -> JointEnd {
         body: e.body.clone(),
         at: [e.at[0], e.at[1], 0.0],
         direction: Some([e.direction[0], e.direction[1], 0.0]),
+        outline: e.outline.clone(),
     }
 }
 
