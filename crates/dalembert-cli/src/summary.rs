@@ -1,7 +1,7 @@
 //! What the program prints after an analysis.
 
 use dalembert::analysis::AssemblyReport;
-use dalembert::results::Results;
+use dalembert::results::{Channel, Results};
 use std::path::PathBuf;
 
 /// Significant digits for people.
@@ -107,6 +107,15 @@ pub fn table(results: &Results) -> String {
     out
 }
 
+/// The channels that measure the error of a run, each with its largest size.
+pub fn errors(results: &Results) -> Vec<(&Channel, f64)> {
+    ["energy.balance", "violation.position", "violation.velocity"]
+        .into_iter()
+        .filter_map(|name| results.channel(name))
+        .map(|c| (c, c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()))))
+        .collect()
+}
+
 /// "written: a.csv, b.svg".
 pub fn files(written: &[PathBuf]) -> String {
     let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
@@ -137,6 +146,8 @@ pub fn report(
                 "statistics": results.statistics,
                 "notes": results.notes,
                 "completed": stopped.is_none(),
+                "error": stopped.as_ref().map(ToString::to_string),
+                "diagnostics": loaded.warnings,
                 "files": written,
                 "last": results.channels.iter().filter_map(|c| Some((c.name.clone(), *c.values.last()?))).collect::<std::collections::BTreeMap<_, _>>(),
             })
@@ -154,11 +165,13 @@ pub fn report(
             );
         }
         print!("{}", table(&results));
-        for name in ["energy.balance", "violation.position"] {
-            if let Some(c) = results.channel(name) {
-                let worst = c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-                println!("  largest |{name}|: {} {}", number(worst), c.unit);
-            }
+        for (channel, worst) in errors(&results) {
+            println!(
+                "  largest |{}|: {} {}",
+                channel.name,
+                number(worst),
+                channel.unit
+            );
         }
         let statistics: Vec<String> = results
             .statistics
@@ -174,7 +187,7 @@ pub fn report(
         }
     }
     match stopped {
-        Some(error) => Err(error.into()),
+        Some(error) => Err(crate::failure::Failure::Stopped(error)),
         None => Ok(()),
     }
 }
