@@ -72,5 +72,15 @@ fuzz_target!(|text: &str| {
     }
     let jets: Vec<Jet2> = values.iter().map(|v| Jet2::new(*v, 1.0, -0.5)).collect();
     assert!(same(program.eval_jet(&jets).v));
+    let first = |k: usize, v: &f64| Jet2::new(*v, f64::from(k == 0), 0.0);
+    let jets: Vec<Jet2> = values
+        .iter()
+        .enumerate()
+        .map(|(k, v)| first(k, v))
+        .collect();
+    let (jet, third) = (program.eval_jet(&jets), program.eval_third(&values));
+    for (a, b) in [jet.v, jet.d, jet.dd].into_iter().zip(third) {
+        assert!(a == b || (a.is_nan() && b.is_nan()), "{jet:?} {third:?}");
+    }
     assert!(value.is_finite() || program.first_non_finite(&values).is_some());
 });

@@ -17,12 +17,20 @@ pub struct Arguments {
 pub enum Command {
     /// Print a model to start from
     New(NewArgs),
+    /// Validate a model and report its mobility: redundant constraints, free motions, singular poses
+    Check(CheckArgs),
     /// Positions, velocities, accelerations and forces of a driven machine
     Kinematics(RunArgs),
     /// Forward dynamics: how the machine moves under its forces
     Simulate(RunArgs),
     /// Driving forces and reactions of a driven machine; also with the actuators at other joints
     Inverse(InverseArgs),
+    /// Equilibrium and its stability; or the loads that hold a pose
+    Statics(StaticsArgs),
+    /// The labelled equations of motion at the start: M, C_q, Q_e, Q_d, multipliers, energies
+    Equations(EquationsArgs),
+    /// The machine as a linear graph: trees, cut-sets, circuits, sizes of formulations
+    Network(NetworkArgs),
     /// Write an animated page that opens in any browser
     View(ViewArgs),
     /// Draw channels of a result file as SVG
@@ -38,6 +46,10 @@ impl Command {
             Self::Kinematics(a) | Self::Simulate(a) => a.model.json,
             Self::Inverse(a) => a.run.model.json,
             Self::View(a) => a.run.model.json,
+            Self::Statics(a) => a.run.model.json,
+            Self::Check(a) => a.model.json,
+            Self::Equations(a) => a.model.json,
+            Self::Network(a) => a.model.json,
             Self::New(_) | Self::Plot(_) | Self::Schema => false,
         }
     }
@@ -151,4 +163,97 @@ pub struct ViewArgs {
     /// Which motion
     #[arg(long, value_enum, default_value_t = ViewAnalysis::Auto)]
     pub analysis: ViewAnalysis,
+}
+
+/// Arguments of `check`.
+#[derive(Args, Debug)]
+pub struct CheckArgs {
+    /// Model.
+    #[command(flatten)]
+    pub model: ModelArgs,
+}
+
+/// Route of the static analysis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum StaticsRoute {
+    /// Newton on the free motions.
+    Reduced,
+    /// Newton on coordinates and multipliers together.
+    Multipliers,
+}
+
+/// Arguments of `statics`.
+#[derive(Args, Debug)]
+pub struct StaticsArgs {
+    /// Run.
+    #[command(flatten)]
+    pub run: RunArgs,
+    /// Route
+    #[arg(long, value_enum, default_value_t = StaticsRoute::Reduced)]
+    pub route: StaticsRoute,
+    /// Further starts of the search for other equilibria
+    #[arg(long, default_value_t = 24)]
+    pub starts: usize,
+    /// Find the effort at this joint or driver that holds the machine in its pose; can be repeated
+    #[arg(long, value_name = "JOINT")]
+    pub hold: Vec<String>,
+    /// Find the size of this force element that holds the machine in its pose; can be repeated
+    #[arg(long, value_name = "FORCE")]
+    pub hold_force: Vec<String>,
+}
+
+/// Coordinates of the equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EquationsBasis {
+    /// Absolute coordinates and multipliers only.
+    Absolute,
+    /// Also independent coordinates by pivoted elimination (embedding technique).
+    Lu,
+    /// Also orthonormal quasi-velocities by QR.
+    Qr,
+    /// Also orthonormal quasi-velocities by singular values.
+    Svd,
+}
+
+/// Reference points of the equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EquationsFrame {
+    /// The body frames of the file.
+    User,
+    /// The centres of mass.
+    Center,
+}
+
+/// Arguments of `equations`.
+#[derive(Args, Debug)]
+pub struct EquationsArgs {
+    /// Model.
+    #[command(flatten)]
+    pub model: ModelArgs,
+    /// Coordinates beside the absolute ones
+    #[arg(long, value_enum, default_value_t = EquationsBasis::Lu)]
+    pub basis: EquationsBasis,
+    /// Independent coordinate, like crank.angle; can be repeated
+    #[arg(long, value_name = "COORDINATE")]
+    pub independent: Vec<String>,
+    /// Reference points of the bodies
+    #[arg(long, value_enum, default_value_t = EquationsFrame::User)]
+    pub frame: EquationsFrame,
+    /// Time at which drivers and forces are evaluated [s]; default the start of the analysis
+    #[arg(long, value_name = "TIME")]
+    pub time: Option<String>,
+    /// Write to this file
+    #[arg(long, short, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+}
+
+/// Arguments of `network`.
+#[derive(Args, Debug)]
+pub struct NetworkArgs {
+    /// Model.
+    #[command(flatten)]
+    pub model: ModelArgs,
+    /// Write the graph in the DOT language to this file
+    #[arg(long, value_name = "FILE")]
+    pub dot: Option<PathBuf>,
 }

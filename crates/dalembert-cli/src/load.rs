@@ -20,6 +20,16 @@ pub struct Loaded {
     pub warnings: serde_json::Value,
 }
 
+impl Loaded {
+    /// An answer for programs, with the warnings of the model under "diagnostics".
+    pub fn with_warnings(&self, mut answer: serde_json::Value) -> serde_json::Value {
+        if let Some(object) = answer.as_object_mut() {
+            object.insert("diagnostics".to_owned(), self.warnings.clone());
+        }
+        answer
+    }
+}
+
 /// Reads and compiles a model file; prints warnings for people.
 pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Failure> {
     let text = std::fs::read_to_string(&args.model).map_err(|e| Failure::File {
@@ -92,7 +102,8 @@ fn overrides(set: &[String]) -> Result<Vec<(String, Value)>, Failure> {
         .collect()
 }
 
-fn number_or_text(text: &str) -> Value {
+/// A number, or a text with a unit or an expression.
+pub fn number_or_text(text: &str) -> Value {
     text.parse::<f64>()
         .map_or_else(|_| Value::Text(text.to_owned()), Value::Number)
 }

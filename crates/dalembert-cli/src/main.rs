@@ -25,6 +25,10 @@ fn main() -> ExitCode {
     let json = arguments.command.json();
     let done = match arguments.command {
         Command::New(a) => commands::new::run(&a),
+        Command::Check(a) => commands::check::run(&a),
+        Command::Statics(a) => commands::statics::run(&a),
+        Command::Equations(a) => commands::equations::run(&a),
+        Command::Network(a) => commands::network::run(&a),
         Command::Kinematics(a) => commands::kinematics::run(&a),
         Command::Simulate(a) => commands::simulate::run(&a),
         Command::Inverse(a) => commands::inverse::run(&a),

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::output::write_text;
 use crate::{scene, summary, viewer};
+use dalembert::analysis::{Assembly, Mobility};
 use dalembert::results::Results;
 use dalembert::space::Planar;
 use dalembert::system::{Phase, Role, System};
@@ -35,6 +36,7 @@ fn facts(system: &System<Planar>, results: &Results) -> Vec<(String, String)> {
         ("Analysis".to_owned(), results.analysis.clone()),
         ("Movable bodies".to_owned(), system.bodies.len().to_string()),
     ];
+    rows.extend(mobility(system));
     let equations = |driver: bool| -> usize {
         system
             .elements
@@ -65,6 +67,26 @@ fn facts(system: &System<Planar>, results: &Results) -> Vec<(String, String)> {
         ));
     }
     rows
+}
+
+/// What the machine can do at its start; nothing where that cannot be decided.
+fn mobility(system: &System<Planar>) -> Vec<(String, String)> {
+    let report = Assembly::default()
+        .run(system)
+        .and_then(|(state, _)| Mobility::default().run(system, &state));
+    let Ok(report) = report else {
+        return Vec::new();
+    };
+    let mut rows = vec![("Mobility", report.freedoms())];
+    if report.driver_rows > 0 {
+        rows.push(("Freedoms left by the drivers", report.freedoms_left()));
+    }
+    if !report.redundant.is_empty() {
+        rows.push(("Redundant equations", report.redundant.len()));
+    }
+    rows.into_iter()
+        .map(|(name, count)| (name.to_owned(), count.to_string()))
+        .collect()
 }
 
 fn capitalized(text: &str) -> String {

@@ -72,10 +72,13 @@ pub fn table(results: &Results) -> String {
             && name.matches('.').count() == 1
     };
     let mut out = String::new();
+    // Channels that stay zero say nothing here; values that are rounding beside them are zero.
+    let largest =
+        |c: &dalembert::results::Channel| c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
     let rows: Vec<_> = results
         .channels
         .iter()
-        .filter(|c| telling(&c.name))
+        .filter(|c| telling(&c.name) && largest(c) > 1e-12)
         .take(24)
         .collect();
     let width = rows
@@ -92,6 +95,8 @@ pub fn table(results: &Results) -> String {
         let (Some(first), Some(last)) = (c.values.first(), c.values.last()) else {
             continue;
         };
+        let rounding = 1e-10 * largest(c);
+        let number = |x: f64| number(if x.abs() < rounding { 0.0 } else { x });
         let low = c.values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = c.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         out.push_str(&format!(
@@ -139,7 +144,7 @@ pub fn report(
     if args.model.json {
         println!(
             "{:#}",
-            serde_json::json!({
+            loaded.with_warnings(serde_json::json!({
                 "model": results.model,
                 "analysis": results.analysis,
                 "instants": results.len(),
@@ -147,10 +152,9 @@ pub fn report(
                 "notes": results.notes,
                 "completed": stopped.is_none(),
                 "error": stopped.as_ref().map(ToString::to_string),
-                "diagnostics": loaded.warnings,
                 "files": written,
                 "last": results.channels.iter().filter_map(|c| Some((c.name.clone(), *c.values.last()?))).collect::<std::collections::BTreeMap<_, _>>(),
-            })
+            }))
         );
     } else {
         let time = results.channel("time").map_or(&[][..], |c| &c.values[..]);

@@ -51,6 +51,7 @@ fn an_analysis_and_view_write_the_same_page() {
         let row = facts.iter().find(|(key, _)| key == name);
         row.unwrap_or_else(|| panic!("{name}: {facts:?}")).1.clone()
     };
+    assert_eq!(fact("Mobility"), "1");
     assert_eq!(fact("Coordinates"), "3");
     assert_eq!(fact("Constraint equations"), "2");
     assert_eq!(fact("Driver equations"), "0");

@@ -2,7 +2,7 @@
 //!
 //! A number of a model may be an expression: `0.5 * crank^2 / 12`, `30 deg + 150 * t`. This crate
 //! compiles such a text to a small program that evaluates quickly, without allocation, with exact
-//! first and second derivatives, and that knows its physical dimension. Every mistake is reported
+//! derivatives up to the third, and that knows its physical dimension. Every mistake is reported
 //! with its place in the text and what to do.
 //!
 //! ```
@@ -67,4 +67,5 @@ pub use quantity::Quantity;
 pub use scope::{EmptyScope, Function, Resolved, Scope, UnknownName};
 pub use spline::{Spline, SplineError};
 pub use suggest::nearest;
+pub use syntax::is_identifier;
 pub use unit::Unit;

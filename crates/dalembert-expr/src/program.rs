@@ -5,6 +5,7 @@ use crate::builtin;
 use crate::derive::dual::Dual;
 use crate::derive::hyper_dual::HyperDual;
 use crate::derive::jet2::Jet2;
+use crate::derive::jet3::Jet3;
 use crate::derive::scalar::Scalar;
 use crate::emit::Code;
 use crate::instruction::Instruction;
@@ -115,21 +116,18 @@ impl Program {
         self.run(|k| values.get(k).copied().unwrap_or(missing))
     }
 
-    /// Value and first three derivatives of a program of one value.
+    /// Its value and first three derivatives by its first value, which is most useful where it
+    /// has only one: the profile of a cam. All derivatives are zero where it has none.
     pub fn eval_third(&self, values: &[f64]) -> [f64; 4] {
-        let at = |x: f64| self.eval_jet(&[Jet2::time(x)]);
-        let Some(&x) = values.first() else {
-            return [self.eval(values), 0.0, 0.0, 0.0];
-        };
-        let jet = at(x);
-        let h = 1e-4;
-        let slope = |h: f64| (at(x + h).dd - at(x - h).dd) / (2.0 * h);
-        [
-            jet.v,
-            jet.d,
-            jet.dd,
-            (4.0 * slope(0.5 * h) - slope(h)) / 3.0,
-        ]
+        let result: Jet3 = self.run(|k| {
+            let value = values.get(k).copied().unwrap_or(f64::NAN);
+            if k == 0 {
+                Jet3::variable(value)
+            } else {
+                Jet3::constant(value)
+            }
+        });
+        [result.v, result.d, result.dd, result.ddd]
     }
 
     /// The place in the text of the first part that has no finite value.
@@ -224,8 +222,7 @@ impl Program {
                     top = builtin::blend(below!(), from, top);
                 }
                 I::Table(number) => {
-                    let [v, d, dd, _] = self.code.tables[number as usize].jet(top.value());
-                    top = top.chain([v, d, dd]);
+                    top = top.chain(self.code.tables[number as usize].jet(top.value()));
                 }
                 I::Unless(goal) => {
                     let condition = top.value() != 0.0;

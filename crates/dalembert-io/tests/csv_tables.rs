@@ -1,6 +1,7 @@
 //! Tables whose points stand in a CSV file beside the model file.
 
 use dalembert::model::Value;
+use dalembert::system::compile::compile;
 use dalembert_io::model_file::{Parsed, parse_model, write_model};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -61,6 +62,41 @@ fn columns_units_and_semicolons() {
     let table = &parsed.model.unwrap().tables[0];
     assert_eq!(table.x, ["0 deg".into(), "90 deg".into()]);
     assert_eq!(table.y, ["0 mm".into(), "-1.5 mm".into()]);
+}
+
+#[test]
+fn columns_are_converted_and_keep_their_dimensions() {
+    let keys = |mass: &str| {
+        format!(
+            "interpolation = \"linear\"\nx_unit = \"deg\"\ny_unit = \"mm\"\n\
+             [[body]]\nname = \"disc\"\nmass = \"{mass}\"\ninertia = 1\n"
+        )
+    };
+    let csv = "0,0\n90,-1.5\n180,4\n";
+    let (parsed, _) = read("converted", csv, &keys("1000 kg/m * f(pi)"));
+    let system = compile(&parsed.model.unwrap(), &[]).unwrap().system;
+    assert!(system.mass.contains(&4.0), "{:?}", system.mass);
+    for wrong in ["f(pi)", "1000 kg/m * f(1 s)"] {
+        let (parsed, _) = read("converted", csv, &keys(wrong));
+        let mistakes = compile(&parsed.model.unwrap(), &[])
+            .map(|_| ())
+            .unwrap_err();
+        let codes: Vec<&str> = mistakes.0.iter().map(|d| d.code.as_str()).collect();
+        assert_eq!(codes, ["unit-mismatch"], "{wrong}");
+    }
+}
+
+#[test]
+fn a_wrong_unit_of_a_column_is_shown_once() {
+    let (parsed, _) = read("wrong-unit", "0,0\n1,1\n2,4\n", "x_unit = \"degg\"\n");
+    let model = parsed.model.unwrap();
+    let mistakes = compile(&model, &[]).map(|_| ()).unwrap_err().0;
+    let found: Vec<_> = mistakes
+        .iter()
+        .map(|d| (d.code.as_str(), d.path.as_str()))
+        .collect();
+    assert_eq!(found, [("unknown-unit", "table[0].x_unit")]);
+    assert!(parsed.source.locate("table[0].x_unit").is_some());
 }
 
 #[test]

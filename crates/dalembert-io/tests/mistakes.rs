@@ -294,7 +294,7 @@ fn bad_names() {
     check(
         "[parameters]\n\"2 r\" = 1\n",
         &[
-            "bad-name 4:1 parameter \"2 r\": a name for expressions starts with a letter and has letters, digits and underscores only | -",
+            "bad-name 4:1 parameter \"2 r\": a name for expressions starts with a letter and has letters (a to z, A to Z), digits and underscores only | -",
         ],
     );
 }

@@ -7,9 +7,11 @@
 pub mod analysis;
 pub mod diagnostic;
 pub mod force;
+pub mod formulation;
 pub mod integrate;
 pub mod joint;
 pub mod model;
+pub mod network;
 pub mod results;
 pub mod signal;
 pub mod solve;

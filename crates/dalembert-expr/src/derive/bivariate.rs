@@ -22,6 +22,15 @@ pub(crate) struct Partials {
     pub bb: f64,
 }
 
+/// Third partial derivatives by the two arguments a and b.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ThirdPartials {
+    pub aaa: f64,
+    pub aab: f64,
+    pub abb: f64,
+    pub bbb: f64,
+}
+
 impl Bivariate {
     /// Its value.
     #[inline]
@@ -85,6 +94,54 @@ impl Bivariate {
                     aa: term(b * (b - 1.0), b - 2.0),
                     ab: slope * (1.0 + b * log),
                     bb: f * log * log,
+                }
+            }
+        }
+    }
+
+    /// Third partial derivatives, with the conventions of [`Bivariate::partials`].
+    pub(crate) fn third(self, a: f64, b: f64) -> ThirdPartials {
+        match self {
+            Self::Atan2 | Self::Hypot if a == 0.0 && b == 0.0 => ThirdPartials::default(),
+            Self::Atan2 => {
+                // The angle is the imaginary part of ln z with z = b + i a, and every derivative
+                // by a is i times the one by b: all are parts of 2/z^3 = 2 exp(-3 i f)/r^3.
+                let r = a.hypot(b);
+                let (s, c) = (a / r, b / r);
+                let sine = 2.0 * s * (3.0 * c * c - s * s) / r / r / r;
+                let cosine = 2.0 * c * (c * c - 3.0 * s * s) / r / r / r;
+                ThirdPartials {
+                    aaa: -cosine,
+                    aab: sine,
+                    abb: cosine,
+                    bbb: -sine,
+                }
+            }
+            Self::Hypot => {
+                let r = a.hypot(b);
+                let (s, c) = (a / r, b / r);
+                ThirdPartials {
+                    aaa: -3.0 * s * c * c / r / r,
+                    aab: c * (2.0 * s * s - c * c) / r / r,
+                    abb: s * (2.0 * c * c - s * s) / r / r,
+                    bbb: -3.0 * c * s * s / r / r,
+                }
+            }
+            Self::Power => {
+                let term = |c: f64, q: f64| if c == 0.0 { 0.0 } else { c * a.powf(q) };
+                let aaa = term(b * (b - 1.0) * (b - 2.0), b - 3.0);
+                if a == 0.0 && b > 0.0 {
+                    return ThirdPartials {
+                        aaa,
+                        ..ThirdPartials::default()
+                    };
+                }
+                let log = a.ln();
+                ThirdPartials {
+                    aaa,
+                    aab: term(2.0 * b - 1.0 + b * (b - 1.0) * log, b - 2.0),
+                    abb: term(log * (2.0 + b * log), b - 1.0),
+                    bbb: self.value(a, b) * log * log * log,
                 }
             }
         }

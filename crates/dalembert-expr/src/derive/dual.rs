@@ -1,6 +1,6 @@
 //! Numbers with some first derivatives.
 
-use super::bivariate::Partials;
+use super::bivariate::{Partials, ThirdPartials};
 use super::scalar::{Scalar, product};
 
 /// A value and its derivatives along N directions.
@@ -58,11 +58,11 @@ impl<const N: usize> Scalar for Dual<N> {
         }
     }
     #[inline]
-    fn chain(self, jet: [f64; 3]) -> Self {
+    fn chain(self, jet: [f64; 4]) -> Self {
         Self::with(jet[0], |k| product(jet[1], self.d[k]))
     }
     #[inline]
-    fn chain2(self, o: Self, p: &Partials) -> Self {
+    fn chain2(self, o: Self, p: &Partials, _third: &ThirdPartials) -> Self {
         Self::with(p.f, |k| product(p.a, self.d[k]) + product(p.b, o.d[k]))
     }
 }

@@ -1,6 +1,6 @@
 //! Numbers with one mixed second derivative.
 
-use super::bivariate::Partials;
+use super::bivariate::{Partials, ThirdPartials};
 use super::scalar::{Scalar, product};
 
 /// A value, its derivatives along two directions, and its mixed second derivative.
@@ -78,7 +78,7 @@ impl Scalar for HyperDual {
         }
     }
     #[inline]
-    fn chain(self, jet: [f64; 3]) -> Self {
+    fn chain(self, jet: [f64; 4]) -> Self {
         Self {
             v: jet[0],
             x: product(jet[1], self.x),
@@ -87,7 +87,7 @@ impl Scalar for HyperDual {
         }
     }
     #[inline]
-    fn chain2(self, o: Self, p: &Partials) -> Self {
+    fn chain2(self, o: Self, p: &Partials, _third: &ThirdPartials) -> Self {
         Self {
             v: p.f,
             x: product(p.a, self.x) + product(p.b, o.x),

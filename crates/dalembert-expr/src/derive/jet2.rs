@@ -1,6 +1,6 @@
 //! Numbers with their first and second time derivative.
 
-use super::bivariate::Partials;
+use super::bivariate::{Partials, ThirdPartials};
 use super::scalar::{Scalar, product};
 
 /// A value and its first and second derivative along time.
@@ -76,7 +76,7 @@ impl Scalar for Jet2 {
         Self::new(self.v + term, self.d, self.dd)
     }
     #[inline]
-    fn chain(self, jet: [f64; 3]) -> Self {
+    fn chain(self, jet: [f64; 4]) -> Self {
         Self::new(
             jet[0],
             product(jet[1], self.d),
@@ -84,7 +84,7 @@ impl Scalar for Jet2 {
         )
     }
     #[inline]
-    fn chain2(self, o: Self, p: &Partials) -> Self {
+    fn chain2(self, o: Self, p: &Partials, _third: &ThirdPartials) -> Self {
         Self::new(
             p.f,
             product(p.a, self.d) + product(p.b, o.d),

@@ -1,10 +1,13 @@
 //! What the evaluation of a program needs of a number.
 
-use super::bivariate::{Bivariate, Partials};
+use super::bivariate::{Bivariate, Partials, ThirdPartials};
 use super::univariate::Univariate;
 
 /// A number, plain or with derivatives.
 pub(crate) trait Scalar: Copy {
+    /// Are third derivatives of functions wanted? Where not, they are not computed.
+    const THIRD: bool = false;
+
     /// A number that does not change.
     fn constant(value: f64) -> Self;
     /// The plain value.
@@ -17,17 +20,28 @@ pub(crate) trait Scalar: Copy {
     fn scale(self, factor: f64) -> Self;
     /// A plain number added.
     fn offset(self, term: f64) -> Self;
-    /// A function of this number, given its value and first two derivatives.
-    fn chain(self, jet: [f64; 3]) -> Self;
-    /// A function of two numbers, given its value and partial derivatives.
-    fn chain2(self, other: Self, partials: &Partials) -> Self;
+    /// A function of this number, given its value and first three derivatives; the third one
+    /// counts only where [`Scalar::THIRD`] is set.
+    fn chain(self, jet: [f64; 4]) -> Self;
+    /// A function of two numbers, given its value and partial derivatives; the third ones count
+    /// only where [`Scalar::THIRD`] is set.
+    fn chain2(self, other: Self, partials: &Partials, third: &ThirdPartials) -> Self;
 
     fn univariate(self, function: Univariate) -> Self {
-        self.chain(function.jet(self.value()))
+        let x = self.value();
+        let [v, d, dd] = function.jet(x);
+        let ddd = if Self::THIRD { function.third(x) } else { 0.0 };
+        self.chain([v, d, dd, ddd])
     }
 
     fn bivariate(self, other: Self, function: Bivariate) -> Self {
-        self.chain2(other, &function.partials(self.value(), other.value()))
+        let (a, b) = (self.value(), other.value());
+        let third = if Self::THIRD {
+            function.third(a, b)
+        } else {
+            ThirdPartials::default()
+        };
+        self.chain2(other, &function.partials(a, b), &third)
     }
 }
 
@@ -72,11 +86,11 @@ impl Scalar for f64 {
         self + term
     }
     #[inline]
-    fn chain(self, jet: [f64; 3]) -> Self {
+    fn chain(self, jet: [f64; 4]) -> Self {
         jet[0]
     }
     #[inline]
-    fn chain2(self, _other: Self, partials: &Partials) -> Self {
+    fn chain2(self, _other: Self, partials: &Partials, _third: &ThirdPartials) -> Self {
         partials.f
     }
     #[inline]

@@ -127,6 +127,59 @@ impl Univariate {
     }
 }
 
+impl Univariate {
+    /// Third derivative, with the conventions of [`Univariate::jet`].
+    pub(crate) fn third(self, x: f64) -> f64 {
+        match self {
+            Self::Sin => -x.cos(),
+            Self::Cos => x.sin(),
+            Self::Tan => {
+                let v = x.tan();
+                let d = 1.0 + v * v;
+                2.0 * d * (d + 2.0 * v * v)
+            }
+            Self::Asin => arc_sine_third(x),
+            Self::Acos => -arc_sine_third(x),
+            Self::Atan => {
+                // Written so that a large x gives 0, not infinity times 0.
+                let d = 1.0 / (1.0 + x * x);
+                let q = x * d;
+                2.0 * d * (3.0 * q * q - d * d)
+            }
+            Self::Sinh => x.cosh(),
+            Self::Cosh => x.sinh(),
+            Self::Tanh => {
+                let (v, c) = (x.tanh(), x.cosh());
+                let d = 1.0 / (c * c);
+                2.0 * d * (2.0 * v * v - d)
+            }
+            Self::Exp => x.exp(),
+            Self::Ln => 2.0 / (x * x * x),
+            Self::Log10 => 2.0 * std::f64::consts::LOG10_E / (x * x * x),
+            Self::Sqrt => 0.375 / x.sqrt() / x / x,
+            Self::Abs | Self::Sign | Self::Floor | Self::Step => 0.0,
+            Self::Smooth if x <= 0.0 || x >= 1.0 => 0.0,
+            Self::Smooth => 60.0 * (1.0 - 6.0 * x * (1.0 - x)),
+            Self::PowInt(n) => {
+                let p = f64::from(n);
+                match p * (p - 1.0) * (p - 2.0) {
+                    0.0 => 0.0,
+                    c => c * whole_power(x, n.saturating_sub(3)),
+                }
+            }
+            Self::PowReal(p) => match p * (p - 1.0) * (p - 2.0) {
+                0.0 => 0.0,
+                c => c * x.powf(p - 3.0),
+            },
+        }
+    }
+}
+
+fn arc_sine_third(x: f64) -> f64 {
+    let r = (1.0 - x) * (1.0 + x);
+    (1.0 + 2.0 * x * x) / (r * r * r.sqrt())
+}
+
 /// A whole power, without a call for the usual ones.
 #[inline]
 fn whole_power(x: f64, n: i32) -> f64 {

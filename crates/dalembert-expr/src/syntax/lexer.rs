@@ -143,7 +143,7 @@ impl Lexer<'_> {
     fn part(&mut self, quoted: &mut bool) -> Option<String> {
         let start = self.at;
         if self.peek() != Some('`') {
-            self.skip(|c| c.is_ascii_alphanumeric() || c == '_');
+            self.skip(is_name_part);
             return Some(self.text[start..self.at].to_owned());
         }
         *quoted = true;
@@ -160,6 +160,16 @@ impl Lexer<'_> {
         }
         Some(inside[..length].to_owned())
     }
+}
+
+/// Can a name stand in an expression without backticks, as far as its letters go: an ASCII letter
+/// or underscore, then ASCII letters, digits and underscores?
+pub fn is_identifier(name: &str) -> bool {
+    name.starts_with(is_name_start) && name.chars().all(is_name_part)
+}
+
+fn is_name_part(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
 }
 
 fn is_name_start(c: char) -> bool {

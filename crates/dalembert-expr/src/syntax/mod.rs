@@ -5,3 +5,5 @@ pub(crate) mod parser;
 pub(crate) mod token;
 pub(crate) mod tree;
 pub(crate) mod units;
+
+pub use lexer::is_identifier;

@@ -52,14 +52,14 @@ pub struct JointEnd {
     /// Direction in the frame of the body, for joints that have one.
     #[serde(serialize_with = "rounded::optional")]
     pub direction: Option<[f64; 3]>,
-    /// Closed curve of the joint on the body, in the frame of the body (m): a cam's profile, a
+    /// Closed curve fixed to the body, in the frame of the body (m): a cam's profile, a
     /// gear's pitch circle. It is the form of a body that has no shapes.
     #[serde(
         default,
-        skip_serializing_if = "Option::is_none",
-        serialize_with = "rounded::optional_points"
+        skip_serializing_if = "Vec::is_empty",
+        serialize_with = "rounded::points"
     )]
-    pub outline: Option<Vec<[f64; 2]>>,
+    pub outline: Vec<[f64; 2]>,
 }
 
 /// A force element between two points.

@@ -58,17 +58,6 @@ pub(super) fn optional<S: Serializer>(
     }
 }
 
-/// Writes points of a plane, or null.
-pub(super) fn optional_points<S: Serializer>(
-    values: &Option<Vec<[f64; 2]>>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    match values {
-        Some(values) => points(values, serializer),
-        None => serializer.serialize_none(),
-    }
-}
-
 /// Writes points of a plane.
 pub(super) fn points<S: Serializer>(points: &[[f64; 2]], serializer: S) -> Result<S::Ok, S::Error> {
     let mut list = serializer.serialize_seq(Some(points.len()))?;

@@ -92,13 +92,12 @@ impl Animation {
             for end in [&joint.first, &joint.second] {
                 self.body_exists(&joint.name, &end.body)?;
                 finite(&joint.name, "at", &end.at)?;
+                finite(&joint.name, "outline", end.outline.as_flattened())?;
                 finite(
                     &joint.name,
                     "direction",
                     end.direction.as_ref().map_or(&[], |d| d),
                 )?;
-                let outline = end.outline.as_deref().unwrap_or_default();
-                finite(&joint.name, "outline", outline.as_flattened())?;
             }
         }
         for spring in &self.springs {

@@ -8,7 +8,7 @@ fn sample() -> Animation {
         body: body.to_owned(),
         at: [0.1, 0.0, 0.0],
         direction: None,
-        outline: None,
+        outline: Vec::new(),
     };
     let spring_end = |body: &str| SpringEnd {
         body: body.to_owned(),
@@ -51,7 +51,7 @@ fn sample() -> Animation {
                 ..end("ground")
             },
             second: JointEnd {
-                outline: Some(vec![[0.0, 1.0 / 3.0], [1.0, 0.0], [0.0, -1.0]]),
+                outline: vec![[0.0, 1.0 / 3.0], [1.0, 0.0], [0.0, -1.0]],
                 ..end("crank")
             },
         }],
@@ -174,7 +174,7 @@ fn data_that_do_not_hang_together_are_refused() {
         "\"s\" sits on the body \"crnk\", which is not there"
     );
     let mut wrong = sample();
-    wrong.joints[0].second.outline = Some(vec![[0.0, f64::NAN]]);
+    wrong.joints[0].second.outline = vec![[0.0, f64::NAN]];
     assert_eq!(
         wrong.to_json().unwrap_err().to_string(),
         "\"A\": number 1 of outline is not finite"

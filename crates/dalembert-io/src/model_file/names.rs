@@ -58,13 +58,6 @@ pub(super) fn is_bad_name(name: &str) -> bool {
         || name.chars().any(char::is_control)
 }
 
-/// Is the text an identifier: a letter or underscore, then letters, digits and underscores?
-pub(super) fn is_identifier(name: &str) -> bool {
-    let mut chars = name.chars();
-    chars.next().is_some_and(|c| c.is_alphabetic() || c == '_')
-        && chars.all(|c| c.is_alphanumeric() || c == '_')
-}
-
 /// Checks that no name is used twice or reserved, and that every used name exists.
 pub(super) fn check(context: &Context<'_>) {
     check_unique(context);

@@ -71,6 +71,7 @@ impl Dynamics {
             newton: self.newton,
         }
         .run(system)?;
+        let notes = super::uniqueness::notes(system, &state);
         let running = system.running();
         let mut motion = Motion::new(&running, self);
         let (nq, nv) = (running.nq(), running.nv());
@@ -133,6 +134,7 @@ impl Dynamics {
             recorder.record(&running, &motion.ws, &state, extra);
         }
         let mut results = recorder.into_results(&system.name, "simulate");
+        results.notes = notes;
         for (name, value) in [
             ("steps", steps as f64),
             ("rejected steps", rejected as f64),

@@ -1,5 +1,6 @@
 //! Why an analysis could not be done.
 
+use crate::solve::RankError;
 use thiserror::Error;
 
 /// Why an analysis could not be done: what, where, when, and what to do.
@@ -74,10 +75,16 @@ pub enum AnalysisError {
         detail: String,
     },
     /// No static equilibrium was found.
-    #[error("no static equilibrium was found: {detail}")]
+    #[error(
+        "no static equilibrium was found: {reason}; what remains at {coordinate} is {residual:.3e} N or N m"
+    )]
     NoEquilibrium {
-        /// What was tried and what remains.
-        detail: String,
+        /// Coordinate with the largest unbalanced force.
+        coordinate: String,
+        /// That force [N] or moment [N m].
+        residual: f64,
+        /// Why, and what to do.
+        reason: String,
     },
     /// A name that the analysis was given does not exist or does not fit.
     #[error("{what} '{name}': {detail}")]
@@ -99,4 +106,7 @@ pub enum AnalysisError {
         /// Needed.
         needed: usize,
     },
+    /// The rank of the constraints could not be decided.
+    #[error("the rank of the constraints could not be decided: {0}")]
+    Rank(#[from] RankError),
 }

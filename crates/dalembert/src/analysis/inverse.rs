@@ -27,7 +27,10 @@ impl Inverse {
     /// # Errors
     /// As for the kinematic analysis; and where the actuators cannot produce the motion.
     pub fn run(&self, system: &System<Planar>) -> Result<KinematicsRun, AnalysisError> {
-        let kinematics = Kinematics { instants: self.instants.clone(), newton: self.newton };
+        let kinematics = Kinematics {
+            instants: self.instants.clone(),
+            newton: self.newton,
+        };
         let mut run = if self.actuators.is_empty() {
             kinematics.run(system)?
         } else {
@@ -41,10 +44,7 @@ impl Inverse {
 
 /// The running system with its drivers replaced by unit rows along the coordinates of joints: their
 /// multipliers are the actuators' efforts.
-fn actuated(
-    system: &System<Planar>,
-    joints: &[String],
-) -> Result<System<Planar>, AnalysisError> {
+fn actuated(system: &System<Planar>, joints: &[String]) -> Result<System<Planar>, AnalysisError> {
     let running = system.running();
     let needed = running
         .elements
@@ -53,7 +53,10 @@ fn actuated(
         .map(|e| e.rows.len())
         .sum();
     if needed != joints.len() {
-        return Err(AnalysisError::ActuatorCount { given: joints.len(), needed });
+        return Err(AnalysisError::ActuatorCount {
+            given: joints.len(),
+            needed,
+        });
     }
     let mut actuators = Vec::new();
     for name in joints {
@@ -63,7 +66,11 @@ fn actuated(
             .find(|e| e.role == Role::Joint && e.name == *name)
             .ok_or_else(|| bad_joint(&running, name, "there is no such joint"))?;
         let [coordinate] = joint.coordinates.as_slice() else {
-            return Err(bad_joint(&running, name, "it does not have exactly one coordinate"));
+            return Err(bad_joint(
+                &running,
+                name,
+                "it does not have exactly one coordinate",
+            ));
         };
         // The value of the row is never used, only its gradient.
         let row = MeasureRow::follow(coordinate.measure, TimeFunction::Constant(0.0), "actuator");
@@ -72,7 +79,10 @@ fn actuated(
             role: Role::Driver,
             kind: "actuator".to_owned(),
             path: joint.path.clone(),
-            element: Arc::new(MeasureRows { markers: joint.markers.len(), rows: smallvec![row] }),
+            element: Arc::new(MeasureRows {
+                markers: joint.markers.len(),
+                rows: smallvec![row],
+            }),
             coordinates: smallvec![coordinate.clone()],
             auxiliary_start: SmallVec::new(),
             ..joint.clone()
@@ -89,8 +99,17 @@ fn bad_joint(system: &System<Planar>, name: &str, what: &str) -> AnalysisError {
         .map(|e| e.name.as_str())
         .collect();
     let hint = crate::text::nearest(name, usable.iter().copied()).map_or_else(
-        || format!("{what}; joints that can have an actuator: {}", usable.join(", ")),
+        || {
+            format!(
+                "{what}; joints that can have an actuator: {}",
+                usable.join(", ")
+            )
+        },
         |n| format!("{what}; did you mean '{n}'?"),
     );
-    AnalysisError::BadName { what: "joint", name: name.to_owned(), detail: hint }
+    AnalysisError::BadName {
+        what: "joint",
+        name: name.to_owned(),
+        detail: hint,
+    }
 }

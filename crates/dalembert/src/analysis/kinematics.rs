@@ -6,6 +6,7 @@ use super::recorder::{Extra, Recorder};
 use super::weights::Weights;
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
+use crate::solve::independent_rows;
 use crate::space::Planar;
 use crate::system::{Role, State, System, Workspace};
 use nalgebra::DMatrix;
@@ -50,7 +51,8 @@ struct Watch {
 impl Watch {
     fn new(c: &DMatrix<f64>) -> Self {
         let mut watch = Self {
-            rows: independent_rows(c),
+            // Columns are scaled already; a failure (not finite) leaves nothing to watch.
+            rows: independent_rows(c, &vec![1.0; c.ncols()], 1e-8).unwrap_or_default(),
             sign: 0.0,
             smallest: 1.0,
         };
@@ -90,32 +92,6 @@ impl Watch {
     }
 }
 
-/// Rows that are independent of those before them, by Gram-Schmidt with reorthogonalization.
-fn independent_rows(c: &DMatrix<f64>) -> Vec<usize> {
-    let mut basis: Vec<nalgebra::DVector<f64>> = Vec::new();
-    let mut rows = Vec::new();
-    for r in 0..c.nrows() {
-        let mut x = c.row(r).transpose();
-        let norm = x.norm();
-        if norm == 0.0 {
-            continue;
-        }
-        x /= norm;
-        for _ in 0..2 {
-            for b in &basis {
-                let part = b.dot(&x);
-                x.axpy(-part, b, 1.0);
-            }
-        }
-        let left = x.norm();
-        if left > 1e-8 {
-            basis.push(x / left);
-            rows.push(r);
-        }
-    }
-    rows
-}
-
 /// C_q with columns in units of the machine's size.
 fn scaled_jacobian(system: &System<Planar>, ws: &Workspace<Planar>) -> DMatrix<f64> {
     let mut c = system.dense_jacobian(ws);
@@ -136,7 +112,11 @@ struct Actuated<'a> {
 
 impl<'a> Actuated<'a> {
     fn new(system: &'a System<Planar>) -> Self {
-        Self { ws: Workspace::new(system), weights: Weights::even(system), system }
+        Self {
+            ws: Workspace::new(system),
+            weights: Weights::even(system),
+            system,
+        }
     }
 
     fn solve(&mut self, state: &State, a: &[f64]) -> Result<(), AnalysisError> {
@@ -150,23 +130,34 @@ impl<'a> Actuated<'a> {
         // The rows of the actuators do not hold a value: no violation to report.
         for e in system.elements.iter().filter(|e| e.role == Role::Driver) {
             ws.value[e.rows.clone()].fill(0.0);
-            let rate: f64 = e.coordinates.iter().map(|c| {
-                let (i, j) = (e.markers[c.measure.first], e.markers[c.measure.second]);
-                c.measure.kind.evaluate(&ws.markers[i], &ws.markers[j]).rate
-            }).sum();
+            let rate: f64 = e
+                .coordinates
+                .iter()
+                .map(|c| {
+                    let (i, j) = (e.markers[c.measure.first], e.markers[c.measure.second]);
+                    c.measure.kind.evaluate(&ws.markers[i], &ws.markers[j]).rate
+                })
+                .sum();
             // The recorder takes the power of a driver from C_t = -(rate).
             ws.time[e.rows.clone()].fill(-rate);
         }
         if missing <= 1e-8 {
             return Ok(());
         }
-        let names: Vec<&str> =
-            system.elements.iter().filter(|e| e.role == Role::Driver).map(|e| e.name.as_str()).collect();
+        let names: Vec<&str> = system
+            .elements
+            .iter()
+            .filter(|e| e.role == Role::Driver)
+            .map(|e| e.name.as_str())
+            .collect();
         Err(AnalysisError::Singular {
             time: state.t,
             last: state.t,
             kind: "actuators without a grip",
-            detail: format!("{} cannot produce this motion in this pose; choose other joints", names.join(", ")),
+            detail: format!(
+                "{} cannot produce this motion in this pose; choose other joints",
+                names.join(", ")
+            ),
         })
     }
 }
@@ -210,6 +201,7 @@ impl Kinematics {
             newton: self.newton,
         }
         .run(system)?;
+        let notes = super::uniqueness::notes(system, &state);
         let running = system.running();
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
@@ -236,6 +228,7 @@ impl Kinematics {
         }
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
+        results.notes = notes;
         let instants = results.len();
         results
             .statistics

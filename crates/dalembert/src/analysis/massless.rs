@@ -76,11 +76,11 @@ fn general(
     let lu = k.clone().full_piv_lu();
     let u = lu.u().diagonal();
     let largest = u.amax();
-    if u.amin() > 1e-12 * largest {
-        if let Some(x) = lu.solve(&b) {
-            store(ws, &x, &scale, n, m);
-            return Ok(());
-        }
+    if u.amin() > 1e-12 * largest
+        && let Some(x) = lu.solve(&b)
+    {
+        store(ws, &x, &scale, n, m);
+        return Ok(());
     }
     let svd = k.svd(true, true);
     let largest = svd.singular_values.amax();

@@ -3,18 +3,32 @@
 
 mod assembly;
 mod dynamics;
+pub mod equations;
 mod error;
 mod inverse;
 mod kinematics;
 mod massless;
+mod mobility;
 mod newton;
 mod recorder;
+mod statics;
+mod uniqueness;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
 pub use dynamics::{Dynamics, DynamicsReport, Motion};
+pub use equations::{EquationBasis, Equations, EquationsReport, ReferenceFrame};
 pub use error::AnalysisError;
 pub use inverse::Inverse;
 pub use kinematics::{Kinematics, KinematicsRun};
+pub use mobility::{
+    BodyMotion, Conflict, Dependence, DriverSweep, FreeMotion, MasslessMotion, Mobility,
+    MobilityReport, Rank, SingularKind, SingularPose, SweepOptions, conflicts,
+    driver_singularities,
+};
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::{Extra, Recorder};
+pub use statics::{
+    Equilibrium, HoldingLoad, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown,
+    holding_loads,
+};

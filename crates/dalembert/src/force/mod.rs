@@ -40,6 +40,10 @@ pub trait ForceElement<S: Space>: Debug + Send + Sync {
     /// Adds the wrenches (force, moment about the marker's point, ground axes) that the element
     /// exerts on its markers.
     fn wrenches(&self, t: f64, markers: &[S::Marker], out: &mut [S::Twist]);
+    /// How many of its markers it acts on; the markers after these are only read.
+    fn terminals(&self) -> usize {
+        2
+    }
     /// Energy and reported values.
     fn report(&self, t: f64, markers: &[S::Marker]) -> ForceReport;
     /// What `report` reports; at most four.

@@ -36,6 +36,10 @@ impl ForceElement<Planar> for PointForce {
         out[0] += self.wrench(t, markers);
     }
 
+    fn terminals(&self) -> usize {
+        1
+    }
+
     fn report(&self, t: f64, markers: &[PlanarMarker]) -> ForceReport {
         let w = self.wrench(t, markers);
         let m = &markers[0];

@@ -30,6 +30,10 @@ impl ForceElement<Planar> for PointGravity {
         out[0] += Vector3::new(f.x, f.y, 0.0);
     }
 
+    fn terminals(&self) -> usize {
+        1
+    }
+
     fn report(&self, _t: f64, markers: &[PlanarMarker]) -> ForceReport {
         let (f, r) = self.force(markers);
         let power = f.dot(&markers[0].velocity);

@@ -56,6 +56,9 @@ const D: [f64; 7] = [
     69_997_945.0 / 29_380_423.0,
 ];
 
+/// Part of the tolerance that the error of one step may take.
+const SHARE: f64 = 0.1;
+
 /// Why a step could not be made.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum StepError<E> {
@@ -88,7 +91,8 @@ pub struct Dopri5 {
     pub h: f64,
     /// Largest step [s].
     pub max_step: f64,
-    /// Tolerance: the error of a step, in units of the scales.
+    /// Tolerance: errors of steps are held to a tenth of it, in units of the scales, because they add
+    /// up over a run.
     pub tolerance: f64,
     /// Right sides evaluated.
     pub evaluations: usize,
@@ -159,7 +163,7 @@ impl Dopri5 {
         let h1 = if largest <= 1e-15 {
             (h0 * 1e-3).max(1e-6)
         } else {
-            (0.01 * tolerance / largest).powf(0.2)
+            (0.01 * SHARE * tolerance / largest).powf(0.2)
         };
         s.h = (100.0 * h0)
             .min(h1)
@@ -186,7 +190,8 @@ impl Dopri5 {
             if last {
                 h = end - self.t;
             }
-            if !(h > 4.0 * f64::EPSILON * self.t.abs().max(1e-12)) {
+            let smallest = 4.0 * f64::EPSILON * self.t.abs().max(1e-12);
+            if h.is_nan() || h <= smallest {
                 return Err(StepError::TooSmall { step: h, cause });
             }
             let failed = match self.try_step(ode, h) {
@@ -238,7 +243,7 @@ impl Dopri5 {
             }
             worst = worst.max(scaled);
         }
-        Ok(worst / self.tolerance)
+        Ok(worst / (SHARE * self.tolerance))
     }
 
     fn accept<O: Ode>(&mut self, ode: &mut O, h: f64, t: f64, error: f64) -> Result<(), O::Error> {

@@ -4,6 +4,7 @@ use super::{ConstraintElement, ConstraintInput, ConstraintOutput, RowLabel, RowU
 use crate::space::{Planar, perpendicular};
 use dalembert_expr::Program;
 use nalgebra::{Vector2, Vector3};
+use std::f64::consts::TAU;
 
 /// Profile of a cam in the axes of its marker, by the surface parameter phi.
 #[derive(Clone, Debug)]
@@ -73,6 +74,12 @@ impl Profile {
     }
 }
 
+/// Points of a cam's outline: a corner every two degrees is finer than a screen shows.
+const OUTLINE: u32 = 180;
+
+/// How far apart the ends of a closed outline may be, relative to its size.
+const CLOSED: f64 = 1e-6;
+
 /// A vector that moves with the cam and along its profile: value, derivative by phi, derivative by
 /// the cam's angle, rate of change of itself at zero accelerations, second rate.
 struct Moving {
@@ -117,6 +124,25 @@ impl ConstraintElement<Planar> for Cam {
             text: "phi".to_owned(),
             unit: RowUnit::Angle,
         }]
+    }
+
+    fn outline(&self) -> Vec<[f64; 2]> {
+        let at = |k: u32| {
+            let phi = TAU * f64::from(k) / f64::from(OUTLINE);
+            self.profile.derivatives(phi)[0]
+        };
+        let points: Vec<Vector2<f64>> = (0..OUTLINE).map(at).collect();
+        let size = points.iter().fold(0.0, |m: f64, p| m.max(p.norm()));
+        // A profile that does not close on itself in a turn, or is not defined all around, is no
+        // outline.
+        let gap = (at(OUTLINE) - at(0)).norm();
+        if gap > CLOSED * size
+            || gap.is_nan()
+            || points.iter().any(|p| !p.x.is_finite() || !p.y.is_finite())
+        {
+            return Vec::new();
+        }
+        points.iter().map(|p| [p.x, p.y]).collect()
     }
 
     fn evaluate(

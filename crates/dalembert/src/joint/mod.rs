@@ -80,4 +80,9 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     }
     /// Residual and derivatives at a state.
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>);
+    /// Closed curve that the element gives to the body of its first marker, in the marker's axes, for
+    /// the picture [m]; empty for most.
+    fn outline(&self) -> Vec<[f64; 2]> {
+        Vec::new()
+    }
 }

@@ -1,5 +1,8 @@
 //! Exact elimination of the auxiliaries of one element by an orthogonal turn of its rows.
 
+// Indices say what the algorithms of dense matrices mean; iterators would hide it.
+#![allow(clippy::needless_range_loop)]
+
 use super::pattern::Pattern;
 
 /// A column of the auxiliary Jacobian whose new part is below this part of its norm adds no direction.

@@ -53,6 +53,10 @@ macro_rules! with_size {
                 let $size = $crate::solve::kernel::Fixed::<3>;
                 $body
             }
+            4 => {
+                let $size = $crate::solve::kernel::Fixed::<4>;
+                $body
+            }
             5 => {
                 let $size = $crate::solve::kernel::Fixed::<5>;
                 $body

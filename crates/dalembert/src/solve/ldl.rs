@@ -4,7 +4,16 @@ use super::kernel::{Size, add_apply, add_apply_transposed, add_product, with_siz
 use super::order::Elimination;
 use super::pattern::Pattern;
 
-/// Factor of a symmetric positive semidefinite block-sparse matrix; one block row for each element.
+/// Rounding error of an entry of the matrix over its size.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A pivot below this many times its estimated rounding error is lost in it.
+const LOST: f64 = 4.0;
+
+/// Only pivots below this part of their initial diagonal are suspected to be lost: the estimate is pessimistic.
+const DOUBTFUL: f64 = 1e-4;
+
+/// Layout of the factor of a positive semidefinite block-sparse matrix, with one block row for each element.
 #[derive(Clone, Debug)]
 pub(super) struct BlockLdl {
     elimination: Elimination,
@@ -16,21 +25,33 @@ pub(super) struct BlockLdl {
     diagonal: Vec<usize>,
     /// Entry of `elimination.below` -> where its block starts in `values`.
     offset: Vec<usize>,
-    values: Vec<f64>,
-    /// Row -> one over its pivot; zero for a row that is left out.
-    inverse_pivot: Vec<f64>,
-    /// Row -> pivot over the row's own initial diagonal.
-    pub ratio: Vec<f64>,
+    /// Number of values of a factor.
+    len: usize,
+    /// Number of rows.
+    rows: usize,
     /// Blocks of one column times their pivots.
     scaled: Vec<f64>,
     /// Unknowns of one element.
     local: Vec<f64>,
 }
 
+/// The numbers of one factorization.
+#[derive(Clone, Debug)]
+pub(super) struct Factor {
+    /// The matrix before, the factor after the factorization.
+    pub values: Vec<f64>,
+    /// Row -> one over its pivot; zero for a row that is left out.
+    inverse_pivot: Vec<f64>,
+    /// Row -> pivot over the row's own initial diagonal; not above zero if the pivot is lost in rounding.
+    pub ratio: Vec<f64>,
+    /// Row -> estimate of the rounding error of its pivot over its initial diagonal.
+    noise: Vec<f64>,
+}
+
 /// What happens to a row whose pivot is small against its initial diagonal.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Floor {
-    /// The row is left out: its unknown is zero.
+    /// The row is left out: its unknown is zero. So is a row whose pivot is lost in rounding.
     Drop(f64),
     /// The pivot is lifted to this part of the initial diagonal.
     Lift(f64),
@@ -65,9 +86,8 @@ impl BlockLdl {
         }
         diagonal.push(at);
         Self {
-            values: vec![0.0; at],
-            inverse_pivot: vec![0.0; pattern.rows()],
-            ratio: vec![0.0; pattern.rows()],
+            len: at,
+            rows: pattern.rows(),
             scaled: vec![0.0; widest],
             local: vec![0.0; size.iter().copied().max().unwrap_or(0)],
             elimination,
@@ -95,49 +115,65 @@ impl BlockLdl {
 
     /// Number of values of the factor.
     pub fn len(&self) -> usize {
-        self.values.len()
+        self.len
     }
 
-    /// The values, to be filled with the matrix before [`factor`](Self::factor).
-    pub fn values_mut(&mut self) -> &mut [f64] {
-        &mut self.values
+    /// Allocates the numbers of one factorization.
+    pub fn allocate(&self) -> Factor {
+        Factor {
+            values: vec![0.0; self.len],
+            inverse_pivot: vec![0.0; self.rows],
+            ratio: vec![0.0; self.rows],
+            noise: vec![0.0; self.rows],
+        }
     }
 
     /// Copies the diagonal of the matrix that was filled in.
-    pub fn copy_diagonal(&self, out: &mut [f64]) {
+    pub fn copy_diagonal(&self, factor: &Factor, out: &mut [f64]) {
         for (k, &n) in self.size.iter().enumerate() {
             for i in 0..n {
-                out[self.row[k] + i] = self.values[self.diagonal[k] + i * (n + 1)];
+                out[self.row[k] + i] = factor.values[self.diagonal[k] + i * (n + 1)];
             }
         }
     }
 
     /// Multiplies each diagonal entry by `1 + part`.
-    pub fn lift_diagonal(&mut self, part: f64) {
+    pub fn lift_diagonal(&self, factor: &mut Factor, part: f64) {
         for (k, &n) in self.size.iter().enumerate() {
             for i in 0..n {
-                self.values[self.diagonal[k] + i * (n + 1)] *= 1.0 + part;
+                factor.values[self.diagonal[k] + i * (n + 1)] *= 1.0 + part;
             }
         }
     }
 
-    /// Factors the matrix that was filled in. `weight` is one over the initial diagonal; rows where it is zero are
+    /// Factors the matrix that was filled in. `weight` is one over the `initial` diagonal; rows where it is zero are
     /// left out.
-    pub fn factor(&mut self, weight: &[f64], floor: Floor) {
+    pub fn factor(&mut self, factor: &mut Factor, initial: &[f64], weight: &[f64], floor: Floor) {
+        for (noise, initial) in factor.noise.iter_mut().zip(initial) {
+            *noise = ROUNDING * initial;
+        }
         for k in 0..self.size.len() {
-            with_size!(self.size[k], n => self.factor_column(k, n, weight, floor));
+            with_size!(self.size[k], n => self.factor_column(k, n, factor, weight, floor));
         }
     }
 
     #[inline(always)]
-    fn factor_column<N: Size>(&mut self, k: usize, size: N, weight: &[f64], floor: Floor) {
+    fn factor_column<N: Size>(
+        &mut self,
+        k: usize,
+        size: N,
+        factor: &mut Factor,
+        weight: &[f64],
+        floor: Floor,
+    ) {
         let n = size.get();
         let row = self.row[k];
-        let (done, later) = self.values.split_at_mut(self.diagonal[k + 1]);
+        let (done, later) = factor.values.split_at_mut(self.diagonal[k + 1]);
         let later_start = done.len();
         let (diagonal, below) = done[self.diagonal[k]..].split_at_mut(n * n);
-        let inverse = &mut self.inverse_pivot[row..row + n];
-        let ratio = &mut self.ratio[row..row + n];
+        let inverse = &mut factor.inverse_pivot[row..row + n];
+        let ratio = &mut factor.ratio[row..row + n];
+        let noise = &mut factor.noise[..];
         let weight = &weight[row..row + n];
         for j in 0..n {
             let pivot = diagonal[j * n + j];
@@ -145,17 +181,30 @@ impl BlockLdl {
             inverse[j] = match floor {
                 _ if weight[j] == 0.0 => 0.0,
                 Floor::Drop(least) if ratio[j] <= least => 0.0,
+                Floor::Drop(_) if ratio[j] <= DOUBTFUL && pivot <= LOST * noise[row + j] => {
+                    ratio[j] = 0.0;
+                    0.0
+                }
                 Floor::Lift(least) if ratio[j] <= least => weight[j] / least,
                 _ => 1.0 / pivot,
             };
-            for i in j + 1..n {
-                let factor = diagonal[i * n + j] * inverse[j];
-                for q in j + 1..=i {
-                    diagonal[i * n + q] -= factor * diagonal[q * n + j];
+            // An error e of this pivot becomes an error L^2 e of the pivots below.
+            noise[row + j] += ROUNDING * pivot;
+            for i in 0..n {
+                if i > j {
+                    let multiplier = diagonal[i * n + j] * inverse[j];
+                    noise[row + i] += multiplier * multiplier * noise[row + j];
+                    for q in 0..n {
+                        if q > j && q <= i {
+                            diagonal[i * n + q] -= multiplier * diagonal[q * n + j];
+                        }
+                    }
                 }
             }
-            for i in j + 1..n {
-                diagonal[i * n + j] *= inverse[j];
+            for i in 0..n {
+                if i > j {
+                    diagonal[i * n + j] *= inverse[j];
+                }
             }
         }
         // Each row b of a block below: x = b L^-T goes to `scaled`, x D^-1 stays as the factor.
@@ -166,8 +215,11 @@ impl BlockLdl {
         {
             for j in 0..n {
                 let mut x = line[j];
-                for p in 0..j {
-                    x -= keep[p] * diagonal[j * n + p];
+                // Fixed bounds let the compiler unroll the triangle.
+                for p in 0..n {
+                    if p < j {
+                        x -= keep[p] * diagonal[j * n + p];
+                    }
                 }
                 keep[j] = x;
             }
@@ -180,14 +232,21 @@ impl BlockLdl {
         for j in start..end {
             let target = self.elimination.below[j];
             let width = self.size[target];
-            let factor = &below[self.offset[j] - own..][..width * n];
+            let block = &below[self.offset[j] - own..][..width * n];
+            for (i, line) in block.chunks_exact(n.max(1)).enumerate() {
+                let mut sum = 0.0;
+                for j in 0..n {
+                    sum += line[j] * line[j] * noise[row + j];
+                }
+                noise[self.row[target] + i] += sum;
+            }
             let x = &scaled[self.offset[j] - own..][..width * n];
             add_product(
                 (width, width, n),
                 -1.0,
                 &mut later[self.diagonal[target] - later_start..],
                 x,
-                factor,
+                block,
             );
             // The rows below are among the rows of the target's column; both lists ascend.
             let mut at = self.elimination.start[target];
@@ -203,34 +262,43 @@ impl BlockLdl {
                     -1.0,
                     &mut later[self.offset[at] - later_start..],
                     x,
-                    factor,
+                    block,
                 );
             }
         }
     }
 
     /// Solves with the factor: right-hand side in, solution out.
-    pub fn solve(&mut self, x: &mut [f64]) {
+    pub fn solve(&mut self, factor: &Factor, x: &mut [f64]) {
         let mut spare = std::mem::take(&mut self.local);
         for k in 0..self.size.len() {
-            with_size!(self.size[k], n => n.with_array(&mut spare, |local| self.forward(k, n, x, local)));
+            with_size!(self.size[k], n => n.with_array(&mut spare, |local| self.forward(k, n, factor, x, local)));
         }
         for k in (0..self.size.len()).rev() {
-            with_size!(self.size[k], n => n.with_array(&mut spare, |local| self.backward(k, n, x, local)));
+            with_size!(self.size[k], n => n.with_array(&mut spare, |local| self.backward(k, n, factor, x, local)));
         }
         self.local = spare;
     }
 
     #[inline(always)]
-    fn forward<N: Size>(&self, k: usize, size: N, x: &mut [f64], local: &mut [f64]) {
+    fn forward<N: Size>(
+        &self,
+        k: usize,
+        size: N,
+        factor: &Factor,
+        x: &mut [f64],
+        local: &mut [f64],
+    ) {
         let n = size.get();
         let local = &mut local[..n];
         let own = &mut x[self.row[k]..][..n];
-        let diagonal = &self.values[self.diagonal[k]..][..n * n];
+        let diagonal = &factor.values[self.diagonal[k]..][..n * n];
         for i in 0..n {
             let mut sum = own[i];
-            for j in 0..i {
-                sum -= diagonal[i * n + j] * local[j];
+            for j in 0..n {
+                if j < i {
+                    sum -= diagonal[i * n + j] * local[j];
+                }
             }
             local[i] = sum;
             own[i] = sum;
@@ -238,7 +306,7 @@ impl BlockLdl {
         for at in self.elimination.start[k]..self.elimination.start[k + 1] {
             let i = self.elimination.below[at];
             let target = &mut x[self.row[i]..];
-            let block = &self.values[self.offset[at]..];
+            let block = &factor.values[self.offset[at]..];
             if self.size[i] == n {
                 add_apply((size, size), -1.0, target, block, local);
             } else {
@@ -248,11 +316,18 @@ impl BlockLdl {
     }
 
     #[inline(always)]
-    fn backward<N: Size>(&self, k: usize, size: N, x: &mut [f64], local: &mut [f64]) {
+    fn backward<N: Size>(
+        &self,
+        k: usize,
+        size: N,
+        factor: &Factor,
+        x: &mut [f64],
+        local: &mut [f64],
+    ) {
         let n = size.get();
         let row = self.row[k];
         let local = &mut local[..n];
-        let inverse = &self.inverse_pivot[row..][..n];
+        let inverse = &factor.inverse_pivot[row..][..n];
         let own = &x[row..][..n];
         for i in 0..n {
             local[i] = own[i] * inverse[i];
@@ -260,17 +335,19 @@ impl BlockLdl {
         for at in self.elimination.start[k]..self.elimination.start[k + 1] {
             let i = self.elimination.below[at];
             let source = &x[self.row[i]..];
-            let block = &self.values[self.offset[at]..];
+            let block = &factor.values[self.offset[at]..];
             if self.size[i] == n {
                 add_apply_transposed((size, size), -1.0, local, block, source);
             } else {
                 add_apply_transposed((self.size[i], size), -1.0, local, block, source);
             }
         }
-        let diagonal = &self.values[self.diagonal[k]..][..n * n];
+        let diagonal = &factor.values[self.diagonal[k]..][..n * n];
         for i in (0..n).rev() {
-            for j in 0..i {
-                local[j] -= diagonal[i * n + j] * local[i];
+            for j in 0..n {
+                if j < i {
+                    local[j] -= diagonal[i * n + j] * local[i];
+                }
             }
         }
         x[row..][..n].copy_from_slice(local);

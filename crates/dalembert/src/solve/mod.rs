@@ -7,6 +7,7 @@ mod kernel;
 mod ldl;
 mod order;
 mod pattern;
+mod products;
 pub mod rank;
 mod refine;
 mod residual;

@@ -8,8 +8,22 @@ use super::saddle::Saddle;
 /// Residual at which refinement stops.
 const GOAL: f64 = 1e-13;
 
+/// Residual up to which a solution counts as converged: near singular poses large multipliers that cancel leave more
+/// than the goal.
+const ACCEPTED: f64 = 1e-11;
+
 /// Most corrections after the first solution.
 const SWEEPS: usize = 6;
+
+/// A solution without the vanished rows is preferred if its residual is below this many times the other one.
+const CONTRADICTION: f64 = 10.0;
+
+/// Which factor solves.
+#[derive(Clone, Copy)]
+enum Use {
+    Plain,
+    Lifted,
+}
 
 /// Arrays of a solution, allocated once.
 #[derive(Clone, Debug)]
@@ -24,6 +38,9 @@ pub(super) struct Work {
     best_a: Vec<f64>,
     best_l: Vec<f64>,
     best_s: Vec<f64>,
+    kept_a: Vec<f64>,
+    kept_l: Vec<f64>,
+    kept_s: Vec<f64>,
     local: Vec<f64>,
 }
 
@@ -49,6 +66,9 @@ impl Work {
             best_a: vec![0.0; coordinates],
             best_l: vec![0.0; rows],
             best_s: vec![0.0; aux],
+            kept_a: vec![0.0; coordinates],
+            kept_l: vec![0.0; rows],
+            kept_s: vec![0.0; aux],
             local: vec![0.0; longest],
         }
     }
@@ -79,17 +99,72 @@ impl Saddle {
         l: &mut [f64],
         s: &mut [f64],
     ) -> Residual {
+        let dependent = !self.factored().vanished.is_empty();
+        let first = if dependent { Use::Lifted } else { Use::Plain };
+        let mut found = self.solve_afresh(dof, first, mass, rhs, (a, l, s));
+        if dependent && found.relative > GOAL {
+            // Directions that hardly count are slow with the lifted factor, and fast with the plain one.
+            let sweeps = self.refine(dof, Use::Plain, mass, rhs, (a, l, s), &mut found.relative);
+            found.sweeps += sweeps;
+        }
+        if dependent && found.relative > GOAL {
+            // Rows that contradict each other drive the lifted multipliers up: then leave the vanished rows out.
+            self.work.kept_a.copy_from_slice(a);
+            self.work.kept_l.copy_from_slice(l);
+            self.work.kept_s.copy_from_slice(s);
+            let plain = self.solve_afresh(dof, Use::Plain, mass, rhs, (a, l, s));
+            if plain.relative <= CONTRADICTION * found.relative || !found.relative.is_finite() {
+                found = plain;
+            } else {
+                a.copy_from_slice(&self.work.kept_a);
+                l.copy_from_slice(&self.work.kept_l);
+                s.copy_from_slice(&self.work.kept_s);
+            }
+        }
+        Residual {
+            converged: found.relative <= ACCEPTED,
+            ..found
+        }
+    }
+
+    /// Solves with one of the factors and refines with it.
+    fn solve_afresh<D: Size>(
+        &mut self,
+        dof: D,
+        factor: Use,
+        mass: &[f64],
+        rhs: Rhs<'_>,
+        (a, l, s): (&mut [f64], &mut [f64], &mut [f64]),
+    ) -> Residual {
         self.work.force.copy_from_slice(rhs.f);
         self.work.row.copy_from_slice(rhs.g);
         self.work.aux.copy_from_slice(rhs.h);
-        self.correction(dof);
+        self.correction(dof, factor);
         a.copy_from_slice(&self.work.step_a);
         l.copy_from_slice(&self.work.step_l);
         s.copy_from_slice(&self.work.step_s);
         let mut relative = self.residual(dof, mass, rhs, a, l, s);
+        let sweeps = self.refine(dof, factor, mass, rhs, (a, l, s), &mut relative);
+        Residual {
+            relative,
+            sweeps,
+            converged: relative <= ACCEPTED,
+        }
+    }
+
+    /// Corrects a solution as long as that helps; the residuals in `work` belong to it before and after.
+    fn refine<D: Size>(
+        &mut self,
+        dof: D,
+        factor: Use,
+        mass: &[f64],
+        rhs: Rhs<'_>,
+        (a, l, s): (&mut [f64], &mut [f64], &mut [f64]),
+        relative: &mut f64,
+    ) -> usize {
         let mut sweeps = 0;
-        while relative > GOAL && relative.is_finite() && sweeps < SWEEPS {
-            self.correction(dof);
+        while *relative > GOAL && relative.is_finite() && sweeps < SWEEPS {
+            self.correction(dof, factor);
             self.work.best_a.copy_from_slice(a);
             self.work.best_l.copy_from_slice(l);
             self.work.best_s.copy_from_slice(s);
@@ -97,29 +172,25 @@ impl Saddle {
             add(l, &self.work.step_l);
             add(s, &self.work.step_s);
             let next = self.residual(dof, mass, rhs, a, l, s);
-            if next < relative {
-                sweeps += 1;
-            } else {
+            if next >= *relative {
                 a.copy_from_slice(&self.work.best_a);
                 l.copy_from_slice(&self.work.best_l);
                 s.copy_from_slice(&self.work.best_s);
+                self.residual(dof, mass, rhs, a, l, s);
                 break;
             }
-            let stalled = next > 0.5 * relative;
-            relative = next;
+            sweeps += 1;
+            let stalled = next > 0.5 * *relative;
+            *relative = next;
             if stalled {
                 break;
             }
         }
-        Residual {
-            relative,
-            sweeps,
-            converged: relative <= GOAL,
-        }
+        sweeps
     }
 
     /// Solves the factored system for the residuals in `work`; the answer is the step in `work`.
-    fn correction<D: Size>(&mut self, dof: D) {
+    fn correction<D: Size>(&mut self, dof: D, factor: Use) {
         let n = dof.get();
         let work = &mut self.work;
         if !self.auxiliaries.is_empty() {
@@ -154,7 +225,11 @@ impl Saddle {
             let to = &mut work.turned[block.row..];
             with_size!(block.rows, rows => add_apply((rows, dof), 1.0, to, &self.w[block.jac..], force));
         }
-        self.ldl.solve(&mut work.turned);
+        let factor = match factor {
+            Use::Plain => &self.plain,
+            Use::Lifted => &self.lifted,
+        };
+        self.ldl.solve(factor, &mut work.turned);
         // a = M^-1 f - M^-1 J^T l
         work.step_a.fill(0.0);
         for body in 0..self.pattern.shape().bodies {
@@ -215,7 +290,8 @@ impl Saddle {
         let work = &mut self.work;
         // Squares of weighted numbers: the largest residual and the largest term.
         let (mut worst, mut scale) = (0.0_f64, 0.0_f64);
-        let mut finite = true;
+        // Not finite as soon as one residual is not.
+        let mut sum_of_all = 0.0;
         work.force.fill(0.0);
         work.row.fill(0.0);
         for block in &self.pattern.incidences {
@@ -240,13 +316,13 @@ impl Saddle {
                 for j in 0..n {
                     inertia += block[i * n + j] * a[j];
                 }
-                let term = force[i].abs().max(f[i].abs()).max(inertia.abs());
+                let term = larger(larger(force[i].abs(), f[i].abs()), inertia.abs());
                 let rest = f[i] - inertia - force[i];
                 force[i] = rest;
                 let weight = inverse[i * n + i];
-                worst = worst.max(rest * rest * weight);
-                scale = scale.max(term * term * weight);
-                finite &= rest.is_finite();
+                worst = larger(worst, rest * rest * weight);
+                scale = larger(scale, term * term * weight);
+                sum_of_all += rest;
             }
         }
         for aux in &self.auxiliaries {
@@ -262,25 +338,31 @@ impl Saddle {
                 }
                 let rest = rhs.h[at] - sum;
                 work.aux[at] = rest;
-                worst = worst.max(rest * rest * self.aux_weight[at]);
-                scale = scale.max(term * term * self.aux_weight[at]);
-                finite &= rest.is_finite();
+                worst = larger(worst, rest * rest * self.aux_weight[at]);
+                scale = larger(scale, term * term * self.aux_weight[at]);
+                sum_of_all += rest;
             }
         }
         for ((row, &g), &weight) in work.row.iter_mut().zip(rhs.g).zip(&self.row_weight) {
-            let term = g.abs().max(row.abs());
+            let term = larger(g.abs(), row.abs());
             let rest = g - *row;
             *row = rest;
-            worst = worst.max(rest * rest * weight);
-            scale = scale.max(term * term * weight);
-            finite &= rest.is_finite();
+            worst = larger(worst, rest * rest * weight);
+            scale = larger(scale, term * term * weight);
+            sum_of_all += rest;
         }
-        match (finite && scale.is_finite(), scale > 0.0) {
+        match (f64::is_finite(sum_of_all) && scale.is_finite(), scale > 0.0) {
             (false, _) => f64::INFINITY,
             (true, false) => 0.0,
             (true, true) => (worst / scale).sqrt(),
         }
     }
+}
+
+/// The larger of two numbers, in one instruction; the first one if the second is NaN.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 /// `to += step`

@@ -21,7 +21,7 @@ pub struct Residual {
     pub relative: f64,
     /// Corrections that were applied after the first solution.
     pub sweeps: usize,
-    /// Whether the residual reached the goal: if not, the right-hand side contradicts dependent rows, or the system
-    /// is too close to singular.
+    /// Whether the residual is below 1e-11 (the goal is 1e-13). If not, the right-hand side contradicts dependent rows:
+    /// the answer then obeys the rows that are not reported as vanished, or all of them in the mean.
     pub converged: bool,
 }

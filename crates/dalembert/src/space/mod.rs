@@ -6,7 +6,7 @@
 mod planar;
 mod tuple;
 
-pub use planar::{Planar, PlanarFrame, PlanarMarker, perpendicular};
+pub use planar::{Planar, PlanarFrame, PlanarMarker, PlanarPose, perpendicular};
 pub use tuple::Tuple;
 
 use std::fmt::Debug;
@@ -23,11 +23,15 @@ pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
     type Twist: Tuple;
     /// A frame fixed in a body, measured from the centre of mass in body axes (ground: from the origin).
     type Frame: Copy + Debug + Send + Sync;
+    /// Where a body is and how it stands, with what all its frames share (sines and cosines).
+    type Pose: Copy + Debug + Default + Send + Sync;
     /// A frame's pose and velocity in ground axes at one instant.
     type Marker: Copy + Debug + Default + Send + Sync;
 
-    /// Pose and velocity of a frame on a body with coordinates `q` (NQ) and velocities `v` (NV).
-    fn marker(frame: &Self::Frame, q: &[f64], v: &[f64]) -> Self::Marker;
+    /// Pose of a body with coordinates `q` (NQ).
+    fn pose(q: &[f64]) -> Self::Pose;
+    /// Pose and velocity of a frame on a body with velocities `v` (NV).
+    fn marker(frame: &Self::Frame, pose: &Self::Pose, v: &[f64]) -> Self::Marker;
     /// Pose of a frame on the ground.
     fn ground_marker(frame: &Self::Frame) -> Self::Marker;
     /// Twist of a marker: velocity of its point, angular velocity, in ground axes.

@@ -16,6 +16,17 @@ pub struct PlanarFrame {
     pub angle: f64,
 }
 
+/// Pose of a planar body in ground axes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlanarPose {
+    /// Centre of mass [m].
+    pub point: Vector2<f64>,
+    /// Angle, never wrapped [rad].
+    pub angle: f64,
+    /// Unit x axis.
+    pub ex: Vector2<f64>,
+}
+
 /// Pose and velocity of a planar frame in ground axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PlanarMarker {
@@ -50,23 +61,29 @@ impl Space for Planar {
     const NV: usize = 3;
     type Twist = Vector3<f64>;
     type Frame = PlanarFrame;
+    type Pose = PlanarPose;
     type Marker = PlanarMarker;
 
-    fn marker(frame: &PlanarFrame, q: &[f64], v: &[f64]) -> PlanarMarker {
+    fn pose(q: &[f64]) -> PlanarPose {
         let (s, c) = q[2].sin_cos();
-        let arm = Vector2::new(
-            c * frame.at.x - s * frame.at.y,
-            s * frame.at.x + c * frame.at.y,
-        );
+        PlanarPose {
+            point: Vector2::new(q[0], q[1]),
+            angle: q[2],
+            ex: Vector2::new(c, s),
+        }
+    }
+
+    fn marker(frame: &PlanarFrame, pose: &PlanarPose, v: &[f64]) -> PlanarMarker {
+        let arm = frame.at.x * pose.ex + frame.at.y * perpendicular(&pose.ex);
         let ex = if frame.angle == 0.0 {
-            Vector2::new(c, s)
+            pose.ex
         } else {
-            let (s, c) = (q[2] + frame.angle).sin_cos();
+            let (s, c) = (pose.angle + frame.angle).sin_cos();
             Vector2::new(c, s)
         };
         PlanarMarker {
-            point: Vector2::new(q[0], q[1]) + arm,
-            angle: q[2] + frame.angle,
+            point: pose.point + arm,
+            angle: pose.angle + frame.angle,
             ex,
             arm,
             velocity: Vector2::new(v[0], v[1]) + v[2] * perpendicular(&arm),

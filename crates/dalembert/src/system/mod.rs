@@ -2,15 +2,15 @@
 //! or a [`Workspace`].
 
 mod body;
+mod compiled;
 mod element;
 mod state;
-mod system;
 mod workspace;
 
 pub mod compile;
 
 pub use body::BodyData;
+pub use compiled::{RowRef, System};
 pub use element::{Coordinate, ElementData, ForceData, MarkerData, Phase, Role, TraceData};
 pub use state::State;
-pub use system::{RowRef, System};
 pub use workspace::Workspace;

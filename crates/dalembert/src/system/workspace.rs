@@ -7,6 +7,8 @@ use crate::space::Space;
 /// Buffers of one evaluation of a system.
 #[derive(Debug)]
 pub struct Workspace<S: Space> {
+    /// Poses of the bodies.
+    pub poses: Vec<S::Pose>,
     /// Poses and velocities of the markers.
     pub markers: Vec<S::Marker>,
     /// Auxiliary coordinates.
@@ -49,7 +51,12 @@ impl<S: Space> Workspace<S> {
             .map(|e| e.rows.len() * e.aux.len())
             .sum();
         Self {
-            markers: vec![S::Marker::default(); system.markers.len()],
+            poses: vec![S::Pose::default(); system.bodies.len()],
+            markers: system
+                .markers
+                .iter()
+                .map(|m| S::ground_marker(&m.frame))
+                .collect(),
             s: vec![0.0; system.aux],
             s_rate: vec![0.0; system.aux],
             value: vec![0.0; system.rows],

@@ -203,3 +203,60 @@ fn numbers_that_are_not_finite_are_reported() {
     assert!(!answer.residual.converged);
     assert_eq!(answer.residual.relative, f64::INFINITY);
 }
+
+#[test]
+fn unequal_masses_do_not_look_like_dependence() {
+    for (bars, ratio) in [(300, 1e-6), (300, 1e6), (2000, 1e3)] {
+        let mut problem = chain(bars);
+        for body in (1..bars).step_by(2) {
+            for k in 0..9 {
+                problem.mass[9 * body + k] *= ratio;
+                problem.mass_inverse[9 * body + k] /= ratio;
+            }
+        }
+        let mut saddle = problem.factored();
+        assert!(
+            saddle.factored().vanished.is_empty(),
+            "{:e}",
+            saddle.factored().smallest
+        );
+        let answer = problem.solve_with(&mut saddle);
+        assert!(
+            answer.residual.converged && answer.residual.relative < 1e-13,
+            "{:?}",
+            answer.residual
+        );
+    }
+}
+
+#[test]
+fn a_body_with_many_elements_and_a_tree_of_bodies_are_solved() {
+    let mut random = Random::new(77);
+    // A hub with 40 arms, each arm with two more bodies.
+    let mut elements = Vec::new();
+    for arm in 0..40 {
+        let first = 1 + 3 * arm;
+        for on in [[0, first], [first, first + 1], [first, first + 2]] {
+            elements.push(ElementShape {
+                rows: 5,
+                bodies: on.into_iter().collect(),
+                aux: 0,
+            });
+        }
+    }
+    let problem = Problem::random(
+        SaddleShape {
+            bodies: 121,
+            dof: 6,
+            elements,
+        },
+        &mut random,
+    );
+    let mut saddle = problem.factored();
+    assert!(saddle.factored().vanished.is_empty());
+    let answer = problem.solve_with(&mut saddle);
+    assert!(answer.residual.relative < 1e-13, "{:?}", answer.residual);
+    let (k, rhs) = problem.dense();
+    let right = k.lu().solve(&rhs).unwrap();
+    assert!(relative(&answer.a, &right.rows(0, 726).into_owned()) < 1e-10);
+}

@@ -1,11 +1,12 @@
 //! Named numbers.
 
 use crate::model_file::item::Item;
-use crate::model_file::names::{NameOf, Section, is_identifier};
+use crate::model_file::names::{NameOf, Section};
 use crate::model_file::source_map::child;
 use crate::model_file::table_reader::TableReader;
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::Value;
+use dalembert_expr::is_identifier;
 use indexmap::IndexMap;
 use toml::de::DeValue;
 
@@ -37,8 +38,8 @@ pub(super) fn lower(file: &mut TableReader<'_>) -> IndexMap<String, Value> {
                 place: item.place.clone(),
             });
         } else {
-            let text = "a name for expressions starts with a letter and has letters, digits and \
-                        underscores only";
+            let text = "a name for expressions starts with a letter and has letters (a to z, A to Z), \
+                        digits and underscores only";
             item.context.report_key(Diagnostic::error(
                 "bad-name",
                 item.place.path.clone(),

@@ -15,7 +15,8 @@ pub use null_basis::{continue_basis, null_basis_lu, null_basis_qr, null_basis_sv
 pub use partition::{Partition, partition, partition_condition};
 pub use row_rank::{RedundantRow, RowRank, analyse_rows, independent_rows};
 
-pub(super) use scaled::{Svd, from_faer, to_faer};
+pub(crate) use scaled::Svd;
+pub(super) use scaled::{from_faer, to_faer};
 
 use super::factored::Factored;
 

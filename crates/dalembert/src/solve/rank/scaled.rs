@@ -78,7 +78,7 @@ impl Scaled {
 }
 
 /// Singular value decomposition with square U and V; singular values descend.
-pub(in crate::solve) struct Svd {
+pub(crate) struct Svd {
     pub u: DMatrix<f64>,
     pub values: Vec<f64>,
     pub v: DMatrix<f64>,

@@ -308,7 +308,7 @@ impl<'m> Context<'m> {
         match m.body {
             Some(b) => Planar::marker(
                 &m.frame,
-                &self.q[3 * b..3 * b + 3],
+                &Planar::pose(&self.q[3 * b..3 * b + 3]),
                 &self.v[3 * b..3 * b + 3],
             ),
             None => Planar::ground_marker(&m.frame),

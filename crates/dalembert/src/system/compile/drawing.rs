@@ -59,8 +59,9 @@ pub struct DrawnEnd {
     pub at: [f64; 2],
     /// Direction of the element's x axis in the body's frame.
     pub direction: [f64; 2],
-    /// Closed curve of the joint on the body, in the body's frame: a pitch circle, a profile.
-    pub outline: Option<Vec<[f64; 2]>>,
+    /// Closed curve of the joint on the body, in the body's frame: a pitch circle, a profile;
+    /// mostly empty.
+    pub outline: Vec<[f64; 2]>,
 }
 
 /// A joint or a two-point force element.
@@ -148,7 +149,7 @@ fn end(system: &System<Planar>, marker: usize) -> DrawnEnd {
         body,
         at: [at.x, at.y],
         direction: [c, s],
-        outline: None,
+        outline: Vec::new(),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::context::{Context, GlobalMeasure};
 use crate::diagnostic::Diagnostic;
 use crate::joint::MeasureKind;
-use crate::model::Value;
+use crate::model::{GROUND, Value};
 use crate::signal::SignalKind;
 use dalembert_expr::{Dim, Function, Quantity, Resolved, Scope, UnknownName};
 use indexmap::IndexMap;
@@ -203,8 +203,36 @@ impl Scope for StateScope<'_> {
 }
 
 impl Context<'_> {
+    /// Refuses a name of a parameter or table that expressions could not use, or that means
+    /// something else in them.
+    pub fn check_name(&mut self, name: &str, owner: &str, path: &str) {
+        let taken = match name {
+            "t" => Some("is the time"),
+            "phi" => Some("is the angle of a cam's profile"),
+            GROUND => Some("is the fixed body that always exists"),
+            _ if dalembert_expr::is_reserved(name) => {
+                Some("belongs to the language of expressions")
+            }
+            _ => None,
+        };
+        let (code, message) = if let Some(meaning) = taken {
+            ("reserved-name", format!("{owner}: '{name}' {meaning}"))
+        } else if dalembert_expr::is_identifier(name) {
+            return;
+        } else {
+            let rule = "a name for expressions starts with a letter and has letters (a to z, A to \
+                        Z), digits and underscores only";
+            ("bad-name", format!("{owner}: {rule}"))
+        };
+        self.report(Diagnostic::error(code, path, message).help("choose another name"));
+    }
+
     /// Evaluates the parameters in the order of their dependence.
     pub fn parameters(&mut self) {
+        for name in self.model.parameters.keys() {
+            let owner = format!("parameter '{name}'");
+            self.check_name(name, &owner, &format!("parameters.{name}"));
+        }
         let mut pending: IndexMap<String, (Value, String)> = self
             .model
             .parameters
@@ -252,7 +280,7 @@ impl Context<'_> {
                     continue;
                 };
                 let owner = format!("parameter '{name}'");
-                match self.parameter_value(&value, &owner, &path) {
+                match self.measured(&value, &owner, &path) {
                     Some((x, quantity)) => {
                         self.parameters.insert(name, (x, quantity));
                     }
@@ -268,12 +296,9 @@ impl Context<'_> {
         self.parameters.insert(name, (f64::NAN, Quantity::Free));
     }
 
-    fn parameter_value(
-        &mut self,
-        value: &Value,
-        owner: &str,
-        path: &str,
-    ) -> Option<(f64, Quantity)> {
+    /// A constant of any dimension, and what is known of its dimension. None after a mistake,
+    /// which is then reported.
+    pub fn measured(&mut self, value: &Value, owner: &str, path: &str) -> Option<(f64, Quantity)> {
         let Value::Text(text) = value else {
             return self
                 .constant(value, Quantity::Free, owner, path)
@@ -285,7 +310,9 @@ impl Context<'_> {
         };
         match dalembert_expr::compile(text, &scope, Quantity::Free) {
             Ok(program) => {
-                let x = self.constant(value, Quantity::Free, owner, path)?;
+                // Without variables a program is a number.
+                let value = Value::Number(program.eval(&[]));
+                let x = self.constant(&value, Quantity::Free, owner, path)?;
                 Some((x, program.quantity()))
             }
             Err(errors) => {

@@ -131,7 +131,14 @@ impl Context<'_> {
             "alpha and beta must be positive",
             "50 and 50 per second is a usual choice",
         );
-        if step > 0.0 && (end - start) / step > 1e7 {
+        if !(end - start).is_finite() {
+            check(
+                false,
+                "end",
+                "the time from start to end is not a finite number",
+                "give times of a usual size",
+            );
+        } else if step > 0.0 && (end - start) / step > 1e7 {
             check(
                 false,
                 "step",

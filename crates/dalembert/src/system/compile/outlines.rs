@@ -3,13 +3,15 @@
 use super::context::Context;
 use super::drawing::DrawnEnd;
 use super::place::Place;
-use crate::joint::{MeasureKind, Profile};
-use crate::model::{CamFollower, JointKind};
+use crate::joint::MeasureKind;
+use crate::model::{CamFollower, JointKind, Value};
+use crate::space::Planar;
+use crate::system::{ElementData, Role};
 use dalembert_expr::{Dim, Quantity};
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// Corners of a circle or a profile.
+/// Corners of a circle.
 const CORNERS: u32 = 180;
 
 /// Thickness of a flat face, as a part of its length.
@@ -20,7 +22,7 @@ type Curve = Vec<[f64; 2]>;
 
 /// The curves of the joints, by name: on the first and on the second body.
 #[derive(Debug, Default)]
-pub(super) struct Outlines(HashMap<String, [Option<Curve>; 2]>);
+pub(super) struct Outlines(HashMap<String, [Curve; 2]>);
 
 impl Outlines {
     /// Gives the ends of a joint their curves, in the frames of the bodies.
@@ -31,7 +33,7 @@ impl Outlines {
         for (end, curve) in ends.iter_mut().zip(curves) {
             let ([x, y], [c, s]) = (end.at, end.direction);
             let moved = |&[u, v]: &[f64; 2]| [x + c * u - s * v, y + s * u + c * v];
-            end.outline = curve.as_ref().map(|c| c.iter().map(moved).collect());
+            end.outline = curve.iter().map(moved).collect();
         }
     }
 }
@@ -50,22 +52,17 @@ impl Context<'_> {
         outlines
     }
 
-    fn curves(
-        &mut self,
-        name: &str,
-        kind: &JointKind,
-        place: &Place,
-    ) -> Option<[Option<Curve>; 2]> {
-        let mut length =
-            |value, key: &str| self.number(value, Dim::LENGTH, &place.owner, &place.key(key));
+    fn curves(&mut self, name: &str, kind: &JointKind, place: &Place) -> Option<[Curve; 2]> {
         match kind {
-            JointKind::Rack { radius, .. } => Some([Some(circle(length(radius, "radius")?)), None]),
+            JointKind::Rack { radius, .. } => {
+                Some([circle(self.length(place, radius, "radius")?), Curve::new()])
+            }
             JointKind::RollingOnLine { radius, .. } => {
-                Some([None, Some(circle(length(radius, "radius")?))])
+                Some([Curve::new(), circle(self.length(place, radius, "radius")?)])
             }
             JointKind::RollingOnCircle { radii, .. } => Some([
-                Some(circle(length(&radii[0], "radii[0]")?)),
-                Some(circle(length(&radii[1], "radii[1]")?)),
+                circle(self.length(place, &radii[0], "radii[0]")?),
+                circle(self.length(place, &radii[1], "radii[1]")?),
             ]),
             JointKind::Gear {
                 radii, internal, ..
@@ -79,27 +76,19 @@ impl Context<'_> {
                 let poses = [markers[0], markers[1]].map(|m| self.pose(m));
                 let distance = (poses[1].point - poses[0].point).norm();
                 let radii = pitch_radii(radii, *internal, distance)?;
-                Some(radii.map(|r| Some(circle(r))))
+                Some(radii.map(circle))
             }
-            JointKind::Cam {
-                profile, follower, ..
-            } => {
-                let profile = self.profile(profile, place)?;
-                let curve = profile_curve(&profile);
+            JointKind::Cam { follower, .. } => {
+                let own = |e: &&ElementData<Planar>| e.role == Role::Joint && e.name == name;
+                let profile = self.elements.iter().find(own)?.element.outline();
                 let other = match follower {
-                    CamFollower::KnifeEdge => None,
+                    CamFollower::KnifeEdge => Curve::new(),
                     CamFollower::Roller { radius } => {
-                        let path = place.key("follower.radius");
-                        Some(circle(self.number(
-                            radius,
-                            Dim::LENGTH,
-                            &place.owner,
-                            &path,
-                        )?))
+                        circle(self.length(place, radius, "follower.radius")?)
                     }
-                    CamFollower::Flat => Some(self.face(name, &curve)?),
+                    CamFollower::Flat => self.face(name, &profile)?,
                 };
-                Some([Some(curve), other])
+                Some([profile, other])
             }
             JointKind::Revolute { .. }
             | JointKind::Prismatic { .. }
@@ -107,6 +96,10 @@ impl Context<'_> {
             | JointKind::Distance { .. }
             | JointKind::PinSlot { .. } => None,
         }
+    }
+
+    fn length(&mut self, place: &Place, value: &Value, key: &str) -> Option<f64> {
+        self.number(value, Dim::LENGTH, &place.owner, &place.key(key))
     }
 
     /// The face of a flat follower: as long as the cam is wide, thick on the side without the cam.
@@ -131,19 +124,6 @@ fn circle(radius: f64) -> Curve {
         [radius * c, radius * s]
     };
     (0..CORNERS).map(corner).collect()
-}
-
-fn profile_curve(profile: &Profile) -> Curve {
-    let corner = |k: u32| {
-        let [u, ..] = profile.derivatives(TAU * f64::from(k) / f64::from(CORNERS));
-        [u.x, u.y]
-    };
-    let curve: Curve = (0..CORNERS).map(corner).collect();
-    // A profile that is not defined all around is drawn where it is.
-    curve
-        .into_iter()
-        .filter(|p| p.iter().all(|x| x.is_finite()))
-        .collect()
 }
 
 /// Radii of circles that touch. Numbers of teeth (and lengths that do not fit the distance of the

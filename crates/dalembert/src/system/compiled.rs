@@ -243,15 +243,14 @@ impl<S: Space> System<S> {
 
     /// Poses and velocities of all markers.
     pub fn update_markers(&self, q: &[f64], v: &[f64], ws: &mut Workspace<S>) {
+        for (pose, q) in ws.poses.iter_mut().zip(q.chunks_exact(S::NQ)) {
+            *pose = S::pose(q);
+        }
         for (data, marker) in self.markers.iter().zip(&mut ws.markers) {
-            *marker = match data.body {
-                Some(b) => S::marker(
-                    &data.frame,
-                    &q[b * S::NQ..(b + 1) * S::NQ],
-                    &v[b * S::NV..(b + 1) * S::NV],
-                ),
-                None => S::ground_marker(&data.frame),
-            };
+            // Markers on the ground stay as the workspace was made.
+            if let Some(b) = data.body {
+                *marker = S::marker(&data.frame, &ws.poses[b], &v[b * S::NV..(b + 1) * S::NV]);
+            }
         }
         let (nq, nv) = (self.bodies.len() * S::NQ, self.body_nv());
         ws.s.copy_from_slice(&q[nq..]);

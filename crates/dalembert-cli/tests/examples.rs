@@ -1,0 +1,17 @@
+//! The example gallery: every model in `examples/`, run through the program, against closed forms and
+//! published digits.
+
+mod examples {
+    mod arms;
+    mod cams;
+    mod free_motion;
+    mod gallery;
+    mod gears;
+    mod geometry;
+    mod linkages;
+    mod mobility;
+    mod power;
+    mod run;
+    mod statics;
+    mod straight_lines;
+}

@@ -1,0 +1,194 @@
+//! The equations of motion themselves, with names on rows and columns.
+
+mod coordinates;
+mod independent;
+mod labelled;
+mod notes;
+mod number;
+mod report;
+mod scalars;
+mod text;
+
+pub use labelled::{LabelledMatrix, LabelledVector};
+pub use report::{EquationsReport, IndependentEquations, Scalars};
+
+use super::AnalysisError;
+use crate::formulation::{Basis, Formulation, RowSpace};
+use crate::space::Planar;
+use crate::system::{State, System, Workspace};
+use coordinates::CoordinateTerms;
+use independent::Independent;
+use nalgebra::DVector;
+use notes::Notes;
+use scalars::scalars;
+use serde::{Deserialize, Serialize};
+
+/// In which coordinates the equations are written beside the absolute ones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum EquationBasis {
+    /// In none: absolute coordinates and multipliers only.
+    Absolute,
+    /// In independent coordinates, named by the user or chosen by full pivoting (Shabana 6.5).
+    #[default]
+    Partition,
+    /// In orthonormal quasi-velocities by QR (Shabana 6.9).
+    Qr,
+    /// In orthonormal quasi-velocities by singular values (Shabana 6.9).
+    Svd,
+}
+
+/// Whose reference points the coordinates are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReferenceFrame {
+    /// The user's body frames, wherever they sit.
+    #[default]
+    User,
+    /// Frames at the centres of mass: M is constant and Q_v = 0.
+    Center,
+}
+
+/// Writes down the equations of motion at a state.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Equations {
+    /// Independent coordinates or quasi-velocities.
+    pub basis: EquationBasis,
+    /// Preferred independent coordinates, like "crank.angle", for [`EquationBasis::Partition`]; others are added by
+    /// pivoting where these are too few.
+    pub independent: Vec<String>,
+    /// Whose reference points.
+    pub frame: ReferenceFrame,
+}
+
+impl Equations {
+    /// The equations of a system at a state, with the rows that always hold.
+    ///
+    /// # Errors
+    /// An independent coordinate has an unknown name, or an element gives a value that is not finite.
+    pub fn run(
+        &self,
+        system: &System<Planar>,
+        state: &State,
+    ) -> Result<EquationsReport, AnalysisError> {
+        let system = &system.running();
+        let names = system.coordinate_names();
+        let rows: Vec<String> = (0..system.rows).map(|row| system.row_name(row)).collect();
+        let preferred = self.preferred(&names)?;
+        let mut ws = Workspace::new(system);
+        system.update_markers(&state.q, &state.v, &mut ws);
+        system.evaluate_constraints(state.t, &mut ws);
+        system.evaluate_forces(state.t, &mut ws);
+        let at = CoordinateTerms::new(system, state, &ws, self.frame);
+        if at.terms.check().is_err() {
+            return Err(not_finite(system, &ws, state.t));
+        }
+        let time = DVector::from_column_slice(&ws.time);
+        let mut notes = Notes::default();
+        notes.violation(system, &ws, state);
+        notes.moving(&time);
+
+        let not_unique = match RowSpace::new(&at.terms.jacobian, &at.terms.column_scale) {
+            Ok(space) => {
+                let open = space
+                    .unique
+                    .iter()
+                    .zip(&rows)
+                    .filter(|(unique, _)| !**unique);
+                open.map(|(_, row)| row.clone()).collect()
+            }
+            Err(_) => Vec::new(),
+        };
+        notes.redundant(&not_unique);
+        let solution = Formulation::AugmentedDense.solve_terms(&at.terms);
+        notes.solution(&solution, &names);
+        let solution = solution.ok();
+        let acceleration = solution.as_ref().map(|s| s.a.as_slice());
+
+        let basis = match self.basis {
+            EquationBasis::Absolute => None,
+            EquationBasis::Partition => Some(Basis::Partition(preferred.clone())),
+            EquationBasis::Qr => Some(Basis::Qr),
+            EquationBasis::Svd => Some(Basis::Svd),
+        };
+        let independent = basis.and_then(|basis| {
+            Independent::new(&at, basis, &time)
+                .inspect_err(|e| notes.no_basis(e))
+                .ok()
+        });
+        if let Some(found) = &independent {
+            notes.partition(&found.motion, &preferred, &names);
+        }
+        let velocities = independent.as_ref().map(Independent::velocities);
+        let values = scalars(system, &ws, state.t, &at, velocities.as_ref(), acceleration);
+        let over = |v: &DVector<f64>| LabelledVector::new(v, &names);
+        let along = |v: &DVector<f64>| LabelledVector::new(v, &rows);
+        Ok(EquationsReport {
+            model: system.name.clone(),
+            time: state.t,
+            frame: self.frame,
+            positions: over(&at.positions),
+            velocities: over(&at.velocities),
+            mass: LabelledMatrix::new(&at.terms.mass, &names, &names),
+            residual: along(&DVector::from_column_slice(&ws.value)),
+            jacobian: LabelledMatrix::new(&at.terms.jacobian, &rows, &names),
+            time_derivative: along(&time),
+            applied: over(&at.applied),
+            centrifugal: over(&at.centrifugal),
+            qd: along(&at.terms.qd),
+            accelerations: solution
+                .as_ref()
+                .map(|s| over(&DVector::from_column_slice(&s.a))),
+            multipliers: solution
+                .as_ref()
+                .map(|s| along(&DVector::from_column_slice(&s.lambda))),
+            not_unique,
+            momenta: over(&(&at.terms.mass * &at.velocities)),
+            independent: independent.map(|found| found.equations(&at, self.basis, &names)),
+            scalars: values,
+            notes: notes.lines,
+        })
+    }
+
+    /// Numbers of the named independent coordinates.
+    fn preferred(&self, names: &[String]) -> Result<Vec<usize>, AnalysisError> {
+        let find = |name: &String| {
+            names.iter().position(|n| n == name).ok_or_else(|| {
+                let near = crate::text::nearest(name, names.iter().map(String::as_str));
+                AnalysisError::BadName {
+                    what: "independent coordinate",
+                    name: name.clone(),
+                    detail: match near {
+                        Some(near) => format!("did you mean '{near}'?"),
+                        None => format!("the coordinates are: {}", names.join(", ")),
+                    },
+                }
+            })
+        };
+        self.independent.iter().map(find).collect()
+    }
+}
+
+/// Names what is not finite.
+fn not_finite(system: &System<Planar>, ws: &Workspace<Planar>, t: f64) -> AnalysisError {
+    let bad = |k: &usize| !(ws.value[*k] + ws.time[*k] + ws.qd[*k]).is_finite();
+    let element = match (0..system.rows).find(bad) {
+        Some(row) => system.row_name(row),
+        None => {
+            let broken = system.forces.iter().find(|f| {
+                let markers: Vec<_> = f.markers.iter().map(|&m| ws.markers[m]).collect();
+                let mut wrenches = vec![nalgebra::Vector3::zeros(); markers.len()];
+                f.element.wrenches(t, &markers, &mut wrenches);
+                wrenches
+                    .iter()
+                    .flat_map(|w| w.iter())
+                    .any(|x| !x.is_finite())
+            });
+            broken.map_or_else(
+                || "the state".to_owned(),
+                |f| format!("{} ({})", f.name, f.kind),
+            )
+        }
+    };
+    AnalysisError::NotFinite { element, time: t }
+}

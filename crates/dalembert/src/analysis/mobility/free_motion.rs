@@ -1,0 +1,269 @@
+//! Free motions in words.
+
+use super::dependence::list;
+use super::ranked::column_scale;
+use crate::space::{Planar, Space, Tuple};
+use crate::system::{Role, System, Workspace};
+use nalgebra::{DMatrix, DVector, Vector3};
+use serde::Serialize;
+use std::fmt;
+
+/// What a body does in a free motion.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct BodyMotion {
+    /// Name of the body.
+    pub body: String,
+    /// "turns", "slides", "moves", "moves and turns".
+    pub motion: &'static str,
+}
+
+/// Free motions with one measure of what moves.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FreeMotion {
+    /// Coordinates that can be chosen at will: "O.angle", "block.x"; one for each freedom.
+    pub coordinates: Vec<String>,
+    /// The bodies that then move.
+    pub bodies: Vec<BodyMotion>,
+    /// Do the bodies move as one piece, free from everything else?
+    pub rigid: bool,
+}
+
+/// A coordinate in which a motion may be measured.
+struct Candidate {
+    name: String,
+    /// Body whose own coordinate it is.
+    body: Option<usize>,
+    /// Preference: smaller first.
+    class: usize,
+    /// Value in each free motion.
+    rates: DVector<f64>,
+}
+
+/// Parts of a motion below this are rounding.
+const SILENT: f64 = 1e-6;
+
+/// Describes free motions (columns of `motions`, user's units) at the markers of a workspace.
+pub(super) fn describe(
+    system: &System<Planar>,
+    ws: &Workspace<Planar>,
+    motions: &DMatrix<f64>,
+) -> Vec<FreeMotion> {
+    let free = motions.ncols();
+    if free == 0 {
+        return Vec::new();
+    }
+    let candidates = candidates(system, ws, motions);
+    let pivots = choose(&candidates, free);
+    let chosen = DMatrix::from_fn(pivots.len(), free, |i, j| candidates[pivots[i]].rates[j]);
+    // Without a full set of measures the motions are shown as they are.
+    let normal = match chosen.clone().try_inverse() {
+        Some(inverse) if pivots.len() == free => motions * inverse,
+        _ => motions.clone(),
+    };
+    let mut list: Vec<(Option<usize>, FreeMotion)> = Vec::new();
+    for (k, column) in normal.column_iter().enumerate() {
+        let bodies = moving(system, ws, &column.into_owned());
+        let pivot = pivots.get(k).map(|&p| &candidates[p]);
+        let name = pivot.map_or_else(|| format!("motion {}", k + 1), |c| c.name.clone());
+        let body = pivot.and_then(|c| c.body);
+        // x, y and angle of one body are told as one thing.
+        if let (Some(body), Some((Some(last), motion))) = (body, list.last_mut())
+            && body == *last
+            && same_bodies(&motion.bodies, &bodies)
+        {
+            motion.coordinates.push(name);
+            for (old, new) in motion.bodies.iter_mut().zip(bodies) {
+                if old.motion != new.motion {
+                    old.motion = "moves and turns";
+                }
+            }
+            continue;
+        }
+        list.push((
+            body,
+            FreeMotion {
+                coordinates: vec![name],
+                bodies,
+                rigid: body.is_some(),
+            },
+        ));
+    }
+    list.into_iter().map(|(_, motion)| motion).collect()
+}
+
+fn same_bodies(a: &[BodyMotion], b: &[BodyMotion]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(x, y)| x.body == y.body)
+}
+
+/// Joint coordinates against the ground, other joint coordinates, coordinates of bodies, auxiliaries.
+fn candidates(
+    system: &System<Planar>,
+    ws: &Workspace<Planar>,
+    motions: &DMatrix<f64>,
+) -> Vec<Candidate> {
+    let mut list = Vec::new();
+    for e in system.elements.iter().filter(|e| e.role == Role::Joint) {
+        for c in &e.coordinates {
+            let (a, b) = (e.markers[c.measure.first], e.markers[c.measure.second]);
+            let m = c.measure.kind.evaluate(&ws.markers[a], &ws.markers[b]);
+            let unit = if c.measure.kind.is_angle() {
+                1.0
+            } else {
+                system.size
+            };
+            let rates = DVector::from_fn(motions.ncols(), |k, _| {
+                let rate = |marker: usize, gradient: &Vector3<f64>| {
+                    gradient.dot(&twist(system, ws, marker, motions.column(k).as_slice()))
+                };
+                (rate(a, &m.first) + rate(b, &m.second)) / unit
+            });
+            let on_ground = [a, b].iter().any(|&m| system.markers[m].body.is_none());
+            list.push(Candidate {
+                name: format!("{}.{}", e.name, c.name),
+                body: None,
+                class: usize::from(!on_ground),
+                rates,
+            });
+        }
+    }
+    let scale = column_scale(system);
+    for (k, name) in system.coordinate_names().into_iter().enumerate() {
+        let own = k < system.body_nv();
+        list.push(Candidate {
+            name,
+            body: own.then_some(k / 3),
+            class: if own { 2 } else { 3 },
+            rates: motions.row(k).transpose() / scale[k],
+        });
+    }
+    list
+}
+
+/// Twist of a marker when the coordinates move with the velocities `v`.
+fn twist(
+    system: &System<Planar>,
+    ws: &Workspace<Planar>,
+    marker: usize,
+    v: &[f64],
+) -> Vector3<f64> {
+    match system.markers[marker].body {
+        Some(b) => Planar::push(
+            &ws.markers[marker],
+            &Vector3::new(v[3 * b], v[3 * b + 1], v[3 * b + 2]),
+        ),
+        None => Vector3::zero(),
+    }
+}
+
+/// Independent coordinates, one for each motion: of every class the first good ones.
+fn choose(candidates: &[Candidate], free: usize) -> Vec<usize> {
+    let mut rest: Vec<DVector<f64>> = candidates.iter().map(|c| c.rates.clone()).collect();
+    let overall = rest.iter().fold(0.0_f64, |m, r| m.max(r.norm()));
+    let mut chosen = Vec::new();
+    for class in 0..=3 {
+        // A joint that hardly takes part is no measure; bodies take what remains.
+        let least = if class < 2 { 1e-3 } else { 1e-8 } * overall;
+        while chosen.len() < free {
+            let of_class = || (0..rest.len()).filter(|&k| candidates[k].class == class);
+            let largest = of_class().fold(0.0_f64, |m, k| m.max(rest[k].norm()));
+            if largest.is_nan() || largest <= least {
+                break;
+            }
+            let Some(k) = of_class().find(|&k| rest[k].norm() >= 0.3 * largest) else {
+                break;
+            };
+            let direction = rest[k].normalize();
+            for r in &mut rest {
+                let part = direction.dot(r);
+                r.axpy(-part, &direction, 1.0);
+            }
+            chosen.push(k);
+        }
+    }
+    chosen
+}
+
+/// The bodies that move in a motion.
+fn moving(system: &System<Planar>, ws: &Workspace<Planar>, v: &DVector<f64>) -> Vec<BodyMotion> {
+    let scale = column_scale(system);
+    let largest = v
+        .iter()
+        .zip(&scale)
+        .fold(0.0_f64, |m, (x, s)| m.max((x / s).abs()));
+    let least = SILENT * largest;
+    let mut list = Vec::new();
+    for (b, body) in system.bodies.iter().enumerate() {
+        let speed = v[3 * b].hypot(v[3 * b + 1]) / system.size;
+        let (moves, turns) = (speed > least, v[3 * b + 2].abs() > least);
+        let on_ground = |kind: &str, fits: &dyn Fn(usize) -> bool| {
+            system.elements.iter().any(|e| {
+                e.kind == kind
+                    && e.bodies.len() == 1
+                    && e.bodies[0] == b
+                    && e.markers
+                        .iter()
+                        .any(|&m| system.markers[m].body == Some(b) && fits(m))
+            })
+        };
+        let motion = match (moves, turns) {
+            (false, false) => continue,
+            (false, true) => "turns",
+            (true, false) => {
+                if on_ground("prismatic", &|_| true) {
+                    "slides"
+                } else {
+                    "moves"
+                }
+            }
+            (true, true) => {
+                let still = |m: usize| {
+                    let t = twist(system, ws, m, v.as_slice());
+                    t.x.hypot(t.y) / system.size <= least
+                };
+                if on_ground("revolute", &still) {
+                    "turns"
+                } else {
+                    "moves and turns"
+                }
+            }
+        };
+        list.push(BodyMotion {
+            body: body.name.clone(),
+            motion,
+        });
+    }
+    list
+}
+
+impl fmt::Display for FreeMotion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.rigid {
+            let suffixes: Vec<String> = self
+                .coordinates
+                .iter()
+                .map(|c| c.rsplit('.').next().unwrap_or(c).to_owned())
+                .collect();
+            let names: Vec<String> = self.bodies.iter().map(|b| b.body.clone()).collect();
+            return match names.len() {
+                1 => write!(f, "body {} is free in {}", names[0], list(&suffixes)),
+                _ => write!(
+                    f,
+                    "{} move together, free in {}",
+                    list(&names),
+                    list(&suffixes)
+                ),
+            };
+        }
+        let words: Vec<String> = self
+            .bodies
+            .iter()
+            .map(|b| format!("{} {}", b.body, b.motion))
+            .collect();
+        let words = match words.len() {
+            0 => "no body moves".to_owned(),
+            1..=8 => words.join(", "),
+            n => format!("{} and {} more bodies", words[..8].join(", "), n - 8),
+        };
+        write!(f, "{}: {words}", list(&self.coordinates))
+    }
+}

@@ -1,0 +1,124 @@
+//! The rank of a system's rows at a pose, dense or sparse.
+
+use super::super::AnalysisError;
+use super::super::weights::Weights;
+use crate::joint::RowUnit;
+use crate::solve::{RankError, RowRank, analyse_rows, redundant_rows};
+use crate::space::Planar;
+use crate::system::{State, System, Workspace};
+
+/// What is known of the rows of a system at a pose.
+#[derive(Debug)]
+pub(super) struct Ranked {
+    /// Number of independent rows.
+    pub rank: usize,
+    /// Dependent rows and the rows that they follow from, with their coefficients (none where only
+    /// the sparse factors are known, or where the row has no gradient).
+    pub redundant: Vec<(usize, Vec<(usize, f64)>)>,
+    /// Everything else; missing for a machine that is too large for a dense decomposition.
+    pub dense: Option<RowRank>,
+    /// Workspace with the markers and rows of the pose.
+    pub ws: Workspace<Planar>,
+}
+
+/// Typical size of a change of each velocity coordinate: lengths the machine's size, angles 1.
+pub(super) fn column_scale(system: &System<Planar>) -> Vec<f64> {
+    let mut scale = Vec::with_capacity(system.nv());
+    for _ in &system.bodies {
+        scale.extend([system.size, system.size, 1.0]);
+    }
+    for e in &system.elements {
+        for label in e.element.auxiliaries() {
+            scale.push(match label.unit {
+                RowUnit::Length => system.size,
+                RowUnit::Angle | RowUnit::Other => 1.0,
+            });
+        }
+    }
+    scale
+}
+
+/// Evaluates the rows of a system at a state.
+pub(super) fn evaluated(system: &System<Planar>, state: &State) -> Workspace<Planar> {
+    let mut ws = Workspace::new(system);
+    system.update_markers(&state.q, &state.v, &mut ws);
+    system.evaluate_constraints(state.t, &mut ws);
+    ws
+}
+
+/// Names the row behind a failed rank decision.
+fn blame(system: &System<Planar>, state: &State, error: RankError) -> AnalysisError {
+    match error {
+        RankError::NotFinite { row, .. } => AnalysisError::NotFinite {
+            element: system.row_name(row),
+            time: state.t,
+        },
+        other => AnalysisError::Rank(other),
+    }
+}
+
+impl Ranked {
+    /// Ranks the rows of a system at a state: by singular values up to `dense_limit` columns, by
+    /// the pivots of the sparse factors above.
+    pub fn new(
+        system: &System<Planar>,
+        state: &State,
+        tolerance: f64,
+        dense_limit: usize,
+    ) -> Result<Self, AnalysisError> {
+        let mut ws = evaluated(system, state);
+        if let Some(row) = ws.value.iter().position(|c| !c.is_finite()) {
+            return Err(AnalysisError::NotFinite {
+                element: system.row_name(row),
+                time: state.t,
+            });
+        }
+        if system.nv() > dense_limit {
+            if let Some(row) = not_finite(system, &ws) {
+                return Err(AnalysisError::NotFinite {
+                    element: system.row_name(row),
+                    time: state.t,
+                });
+            }
+            let factored = ws.factor(&Weights::even(system).inverse);
+            let rows = redundant_rows(&factored);
+            return Ok(Self {
+                rank: system.rows - rows.len(),
+                redundant: rows.into_iter().map(|row| (row, Vec::new())).collect(),
+                dense: None,
+                ws,
+            });
+        }
+        let jacobian = system.dense_jacobian(&ws);
+        let found = analyse_rows(&jacobian, &column_scale(system), tolerance)
+            .map_err(|e| blame(system, state, e))?;
+        let redundant = found
+            .redundant
+            .iter()
+            .map(|r| (r.row, r.depends_on.clone()))
+            .collect();
+        Ok(Self {
+            rank: found.rank,
+            redundant,
+            dense: Some(found),
+            ws,
+        })
+    }
+
+    /// Does a row have no gradient at this pose?
+    pub fn is_zero_row(&self, row: usize) -> bool {
+        self.dense.is_some()
+            && self
+                .redundant
+                .iter()
+                .any(|(r, others)| *r == row && others.is_empty())
+    }
+}
+
+/// The first row with an entry that is not finite.
+fn not_finite(system: &System<Planar>, ws: &Workspace<Planar>) -> Option<usize> {
+    let probe = vec![1.0; system.nv()];
+    let mut product = vec![0.0; system.rows];
+    system.jac_mul(ws, &probe, &mut product);
+    product.iter().position(|x| !x.is_finite())
+}

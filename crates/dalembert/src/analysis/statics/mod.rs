@@ -1,0 +1,374 @@
+//! Static equilibrium: poses at which all forces balance while the drivers stand still
+//! (Shabana 6.14).
+
+mod diagnosis;
+mod holding;
+mod motions;
+mod multipliers;
+mod problem;
+mod reduced;
+mod report;
+mod search;
+mod solution;
+mod stability;
+
+pub use holding::{HoldingLoad, HoldingLoads, Unknown, holding_loads};
+pub use report::{Equilibrium, StaticsReport};
+pub use stability::Stability;
+
+use super::newton::NewtonOptions;
+use super::recorder::{Extra, Recorder};
+use super::{AnalysisError, Assembly};
+use crate::results::{Channel, Results};
+use crate::space::Planar;
+use crate::system::System;
+use motions::Motions;
+use nalgebra::DVector;
+use problem::Problem;
+use search::{Numbers, distance, target, wander};
+use solution::{Goal, Solution};
+use stability::judge;
+
+/// How the equations of equilibrium are solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Route {
+    /// In the free motions: B^T Q_e = 0, C = 0 (Shabana 6.176).
+    #[default]
+    Reduced,
+    /// In positions and multipliers: C_q^T lambda = Q_e, C = 0 (Shabana 6.171, 6.179).
+    Multipliers,
+}
+
+/// Static equilibrium near the estimate, and others.
+///
+/// Works with dense matrices: made for machines of up to some hundred bodies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Statics {
+    /// How the equations are solved.
+    pub route: Route,
+    /// Unbalanced force, relative to the largest force, that counts as zero.
+    pub tolerance: f64,
+    /// Most Newton iterations from one start.
+    pub max_iterations: usize,
+    /// Further poses, spread over the free motions, from which equilibria are looked for.
+    pub starts: usize,
+    /// Seed of these poses: the same seed finds the same equilibria.
+    pub seed: u64,
+    /// Newton's options for the constraints.
+    pub newton: NewtonOptions,
+}
+
+impl Default for Statics {
+    fn default() -> Self {
+        Self {
+            route: Route::default(),
+            tolerance: 1e-10,
+            max_iterations: 200,
+            starts: 24,
+            seed: 1,
+            newton: NewtonOptions::default(),
+        }
+    }
+}
+
+/// Poses closer than this are one equilibrium.
+const SAME: f64 = 1e-6;
+/// Unbalanced force, relative to the largest, at which the second route takes over from the walk
+/// downhill.
+const NEAR: f64 = 1e-2;
+/// Most equilibria that are kept.
+const MOST: usize = 64;
+
+/// Equilibria found so far.
+struct Found {
+    equilibria: Vec<Equilibrium>,
+    /// Elastic energies, to tell poses apart that differ by whole turns.
+    stored: Vec<f64>,
+    /// The largest force that any run met.
+    scale: f64,
+    /// Ways down from unstable equilibria that have not been tried.
+    exits: Vec<(Vec<f64>, DVector<f64>)>,
+    /// How many more of them are tried.
+    budget: usize,
+}
+
+impl Statics {
+    /// Looks for equilibria of a system (with the rows of all phases).
+    ///
+    /// # Errors
+    /// The machine cannot be assembled, or no equilibrium was found.
+    pub fn run(&self, system: &System<Planar>) -> Result<StaticsReport, AnalysisError> {
+        let running = system.running();
+        let mut problem = Problem::new(&running, self.newton);
+        let estimate = self.assemble(system, &mut problem)?;
+        problem.evaluate(&estimate)?;
+        let freedoms = Motions::new(&problem)?.basis.ncols();
+        let mut found = Found {
+            equilibria: Vec::new(),
+            stored: Vec::new(),
+            scale: 0.0,
+            exits: Vec::new(),
+            budget: self.starts.max(4),
+        };
+        // From the estimate itself errors count; from other poses they only mean that there is
+        // nothing to be found that way.
+        let first = self.solve(&mut problem, &estimate, Goal::Rest)?;
+        self.keep(&mut problem, &mut found, &estimate, &first)?;
+        if let Ok(any) = self.solve(&mut problem, &estimate, Goal::Any) {
+            self.keep(&mut problem, &mut found, &estimate, &any)?;
+        }
+        let mut starts = 1;
+        let mut numbers = Numbers(self.seed);
+        let further = if freedoms == 0 { 0 } else { self.starts };
+        for number in 0..further {
+            let wanted = target(&problem, number, &mut numbers);
+            let Ok(from) = wander(&mut problem, &estimate, &wanted) else {
+                continue;
+            };
+            starts += 1;
+            self.try_from(&mut problem, &mut found, &estimate, &from)?;
+            self.leave_unstable(&mut problem, &mut found, &estimate)?;
+        }
+        self.leave_unstable(&mut problem, &mut found, &estimate)?;
+        if found.equilibria.is_empty() {
+            return Err(diagnosis::none(&mut problem, &estimate, &first, starts));
+        }
+        let mut equilibria = found.equilibria;
+        equilibria.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        let chief = chief(&equilibria);
+        equilibria[..=chief].rotate_right(1);
+        let results = record(&mut problem, &equilibria)?;
+        Ok(StaticsReport {
+            time: problem.time(),
+            equilibria,
+            freedoms,
+            starts,
+            results,
+        })
+    }
+
+    /// The estimate on the constraints; initial conditions hold at the start where they can.
+    fn assemble(
+        &self,
+        system: &System<Planar>,
+        problem: &mut Problem<'_>,
+    ) -> Result<Vec<f64>, AnalysisError> {
+        let assembly = Assembly {
+            newton: self.newton,
+        };
+        let mut q = match assembly.run(system) {
+            Ok((state, _)) => state.q,
+            Err(_) => system.estimate.q.clone(),
+        };
+        problem.assemble(&mut q)?;
+        Ok(q)
+    }
+
+    fn solve(
+        &self,
+        problem: &mut Problem<'_>,
+        from: &[f64],
+        goal: Goal,
+    ) -> Result<Solution, AnalysisError> {
+        match self.route {
+            Route::Reduced => {
+                reduced::solve(problem, from, goal, self.tolerance, self.max_iterations)
+            }
+            Route::Multipliers => {
+                // Newton's method on the whole system knows no downhill: it takes over near the end.
+                let near = match goal {
+                    Goal::Rest => reduced::solve(problem, from, goal, NEAR, self.max_iterations)?.q,
+                    Goal::Any => from.to_vec(),
+                };
+                multipliers::solve(problem, &near, self.tolerance, self.max_iterations)
+            }
+        }
+    }
+
+    fn try_from(
+        &self,
+        problem: &mut Problem<'_>,
+        found: &mut Found,
+        estimate: &[f64],
+        from: &[f64],
+    ) -> Result<(), AnalysisError> {
+        for goal in [Goal::Rest, Goal::Any] {
+            if let Ok(solution) = self.solve(problem, from, goal) {
+                self.keep(problem, found, estimate, &solution)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Follows the ways down from unstable equilibria: a stable one may lie at their end.
+    fn leave_unstable(
+        &self,
+        problem: &mut Problem<'_>,
+        found: &mut Found,
+        estimate: &[f64],
+    ) -> Result<(), AnalysisError> {
+        while found.budget > 0
+            && let Some((q, way)) = found.exits.pop()
+        {
+            found.budget -= 1;
+            if let Ok(from) = wander(problem, &q, &way) {
+                self.try_from(problem, found, estimate, &from)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn keep(
+        &self,
+        problem: &mut Problem<'_>,
+        found: &mut Found,
+        estimate: &[f64],
+        solution: &Solution,
+    ) -> Result<(), AnalysisError> {
+        if !solution.converged || found.equilibria.len() >= MOST {
+            return Ok(());
+        }
+        let verdict = judge(problem, solution)?;
+        problem.evaluate(&solution.q)?;
+        let (stored, potential) = (problem.stored(), problem.potential());
+        found.scale = found.scale.max(solution.scale);
+        let scale = found.scale;
+        let same = |x: f64, y: f64| (x - y).abs() <= 1e-8 * (scale + x.abs());
+        let known = found
+            .equilibria
+            .iter()
+            .zip(&found.stored)
+            .any(|(e, energy)| {
+                let neutral =
+                    e.stability == Stability::Neutral && verdict.stability == Stability::Neutral;
+                // Along a neutral motion every pose is an equilibrium, of the same energy: one of
+                // them stands for all.
+                if neutral {
+                    same(e.potential, potential)
+                } else {
+                    distance(problem, &e.q, &solution.q) < SAME && same(*energy, stored)
+                }
+            });
+        if known {
+            return Ok(());
+        }
+        // Along the motion that is pushed away hardest, to either side, by a third of a radian (or of
+        // the size).
+        if let Some(way) = &verdict.away {
+            let push = way * (0.3 / way.amax());
+            found.exits.push((solution.q.clone(), -&push));
+            found.exits.push((solution.q.clone(), push));
+        }
+        found.stored.push(stored);
+        found.equilibria.push(Equilibrium {
+            q: solution.q.clone(),
+            multipliers: solution
+                .lambda
+                .iter()
+                .zip(problem.row_unit.iter())
+                .map(|(l, u)| l / u)
+                .collect(),
+            stability: verdict.stability,
+            stiffness: verdict.eigenvalues,
+            conservative: verdict.symmetric,
+            motions: verdict.motions,
+            potential,
+            distance: distance(problem, estimate, &solution.q),
+            iterations: solution.iterations,
+            residual: solution.residual,
+        });
+        Ok(())
+    }
+}
+
+/// Which of the equilibria, in order of their distance, is the answer: the estimate itself where it
+/// is one, else the nearest of the most stable ones.
+fn chief(equilibria: &[Equilibrium]) -> usize {
+    if equilibria[0].distance < SAME {
+        return 0;
+    }
+    [Stability::Stable, Stability::Neutral, Stability::Unstable]
+        .into_iter()
+        .find_map(|s| equilibria.iter().position(|e| e.stability == s))
+        .unwrap_or(0)
+}
+
+/// One instant for each equilibrium.
+fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Results, AnalysisError> {
+    let mut recorder = Recorder::new(true);
+    let mut not_unique: Vec<&str> = Vec::new();
+    let system = problem.system;
+    for e in equilibria {
+        problem.evaluate(&e.q)?;
+        problem.ws.a.fill(0.0);
+        problem.ws.lambda.copy_from_slice(&e.multipliers);
+        let state = crate::system::State {
+            t: problem.time(),
+            q: e.q.clone(),
+            v: vec![0.0; e.q.len()],
+        };
+        recorder.record(system, &problem.ws, &state, Extra::default());
+        let motions = Motions::new(problem)?;
+        for (row, r) in system.row_refs().iter().enumerate() {
+            let name = system.elements[r.element].name.as_str();
+            if !motions.unique(row) && !not_unique.contains(&name) {
+                not_unique.push(name);
+            }
+        }
+    }
+    let mut results = recorder.into_results(&system.name, "statics");
+    let mut put = |name: &str, unit: &str, meaning: &str, value: &dyn Fn(usize) -> f64| {
+        results.channels.push(Channel {
+            name: format!("equilibrium.{name}"),
+            unit: unit.to_owned(),
+            meaning: meaning.to_owned(),
+            values: (0..equilibria.len()).map(value).collect(),
+        });
+    };
+    put("number", "", "number of the equilibrium, from 1", &|k| {
+        (k + 1) as f64
+    });
+    put(
+        "stability",
+        "",
+        "1 stable, 0 neutral, -1 unstable",
+        &|k| match equilibria[k].stability {
+            Stability::Stable => 1.0,
+            Stability::Neutral => 0.0,
+            Stability::Unstable => -1.0,
+        },
+    );
+    put(
+        "distance",
+        "",
+        "distance from the estimate: displacement relative to the size, or turn [rad]",
+        &|k| equilibria[k].distance,
+    );
+    let first = &equilibria[0];
+    results
+        .statistics
+        .insert("iterations".to_owned(), first.iterations as f64);
+    results
+        .statistics
+        .insert("residual".to_owned(), first.residual);
+    if !not_unique.is_empty() {
+        results.notes.push(format!(
+            "redundant constraints: the reactions of {} are not unique; the least ones are given",
+            not_unique.join(", ")
+        ));
+    }
+    for (k, e) in equilibria.iter().enumerate() {
+        if !e.conservative {
+            results.notes.push(format!(
+                "equilibrium {}: forces without potential act; its stiffness alone does not exclude flutter",
+                k + 1
+            ));
+        }
+        for motion in &e.motions {
+            results
+                .notes
+                .push(format!("equilibrium {}: {motion}", k + 1));
+        }
+    }
+    Ok(results)
+}

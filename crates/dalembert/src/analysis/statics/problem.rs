@@ -1,0 +1,248 @@
+//! A machine at rest, evaluated in comparable units.
+
+use crate::analysis::AnalysisError;
+use crate::analysis::newton::{NewtonOptions, correct_positions};
+use crate::analysis::weights::Weights;
+use crate::solve::RankError;
+use crate::space::{Planar, PlanarMarker, Space};
+use crate::system::{ForceData, State, System, Workspace};
+use nalgebra::{DMatrix, DVector, Vector3};
+
+/// Distance of the points of a central difference, in units of the machine's size and of radians:
+/// the cube root of the rounding error balances truncation and rounding.
+const DIFFERENCE: f64 = 1e-5;
+
+/// A machine at rest with its drivers frozen at one time.
+///
+/// Coordinates are scaled: lengths count in units of the machine's size, so generalized forces are
+/// energies [J], and rows count in units of their row scales.
+#[derive(Debug)]
+pub(super) struct Problem<'a> {
+    pub system: &'a System<Planar>,
+    pub ws: Workspace<Planar>,
+    /// Size of a unit of each coordinate.
+    pub unit: DVector<f64>,
+    /// Unit of each row.
+    pub row_unit: DVector<f64>,
+    pub newton: NewtonOptions,
+    weights: Weights,
+    state: State,
+    trial: Vec<f64>,
+}
+
+impl<'a> Problem<'a> {
+    pub fn new(system: &'a System<Planar>, newton: NewtonOptions) -> Self {
+        let mut unit = DVector::from_element(system.nv(), 1.0);
+        for b in 0..system.bodies.len() {
+            unit[3 * b] = system.size;
+            unit[3 * b + 1] = system.size;
+        }
+        Self {
+            ws: Workspace::new(system),
+            unit,
+            row_unit: DVector::from_fn(system.rows, |row, _| system.row_scale(row)),
+            newton,
+            weights: Weights::even(system),
+            state: State {
+                t: system.estimate.t,
+                q: vec![0.0; system.nq()],
+                v: vec![0.0; system.nv()],
+            },
+            trial: Vec::new(),
+            system,
+        }
+    }
+
+    /// The time at which everything is evaluated.
+    pub fn time(&self) -> f64 {
+        self.state.t
+    }
+
+    /// Evaluates at another time from now on.
+    pub fn set_time(&mut self, t: f64) {
+        self.state.t = t;
+    }
+
+    /// Moves a pose onto the constraints, as little as possible.
+    pub fn assemble(&mut self, q: &mut [f64]) -> Result<(), AnalysisError> {
+        self.state.q.copy_from_slice(q);
+        correct_positions(
+            self.system,
+            &mut self.ws,
+            &mut self.state,
+            &self.weights,
+            &self.newton,
+            &mut self.trial,
+        )?;
+        q.copy_from_slice(&self.state.q);
+        Ok(())
+    }
+
+    /// Markers, constraints and forces at a pose, all velocities zero.
+    pub fn evaluate(&mut self, q: &[f64]) -> Result<(), AnalysisError> {
+        self.system.update_markers(q, &self.state.v, &mut self.ws);
+        self.system.evaluate_constraints(self.state.t, &mut self.ws);
+        self.system.evaluate_forces(self.state.t, &mut self.ws);
+        let ws = &self.ws;
+        if let Some(row) = ws.value.iter().position(|c| !c.is_finite()) {
+            return Err(self.not_finite(self.system.row_name(row)));
+        }
+        if ws.force.iter().any(|x| !x.is_finite()) {
+            let bad = self.system.forces.iter().find(|f| {
+                self.wrenches(f)
+                    .iter()
+                    .any(|(_, w)| w.iter().any(|x| !x.is_finite()))
+            });
+            return Err(self.not_finite(bad.map_or_else(
+                || "a force".to_owned(),
+                |f| format!("{} ({})", f.name, f.kind),
+            )));
+        }
+        Ok(())
+    }
+
+    fn not_finite(&self, element: String) -> AnalysisError {
+        AnalysisError::NotFinite {
+            element,
+            time: self.state.t,
+        }
+    }
+
+    /// A rank decision that failed: only numbers that are not finite make it fail.
+    pub fn rank_error(&self, error: RankError) -> AnalysisError {
+        self.not_finite(format!("the constraint Jacobian ({error})"))
+    }
+
+    /// Wrenches of a force element on its markers, at the markers of the workspace.
+    pub fn wrenches(&self, force: &ForceData<Planar>) -> Vec<(usize, Vector3<f64>)> {
+        let markers: Vec<PlanarMarker> =
+            force.markers.iter().map(|&m| self.ws.markers[m]).collect();
+        let mut wrenches = vec![Vector3::zeros(); markers.len()];
+        force
+            .element
+            .wrenches(self.state.t, &markers, &mut wrenches);
+        force.markers.iter().copied().zip(wrenches).collect()
+    }
+
+    /// The scaled generalized force of wrenches on markers.
+    pub fn generalized(&self, wrenches: &[(usize, Vector3<f64>)]) -> DVector<f64> {
+        let mut out = DVector::zeros(self.system.nv());
+        for (m, w) in wrenches {
+            if let Some(b) = self.system.markers[*m].body {
+                let pulled = Planar::pull(&self.ws.markers[*m], w);
+                for k in 0..3 {
+                    out[3 * b + k] += pulled[k] * self.unit[3 * b + k];
+                }
+            }
+        }
+        out
+    }
+
+    /// The largest scaled generalized force that a single element or weight exerts: what a residual
+    /// is compared with. Sums would vanish at an equilibrium.
+    pub fn force_scale(&self) -> f64 {
+        let mut scale: f64 = 0.0;
+        for (w, u) in self.system.weight.iter().zip(self.unit.iter()) {
+            scale = scale.max((w * u).abs());
+        }
+        for f in &self.system.forces {
+            for wrench in self.wrenches(f) {
+                scale = scale.max(self.generalized(&[wrench]).amax());
+            }
+        }
+        scale
+    }
+
+    /// Potential energy of weights and force elements [J] (constant forces have none).
+    pub fn potential(&self) -> f64 {
+        let mut sum = 0.0;
+        for (b, body) in self.system.bodies.iter().enumerate() {
+            let p = self.ws.markers[body.center_marker].point;
+            sum -= self.system.weight[3 * b] * p.x + self.system.weight[3 * b + 1] * p.y;
+        }
+        sum + self.stored()
+    }
+
+    /// Potential energy of the force elements [J].
+    pub fn stored(&self) -> f64 {
+        let report = |f: &ForceData<Planar>| {
+            let markers: Vec<PlanarMarker> =
+                f.markers.iter().map(|&m| self.ws.markers[m]).collect();
+            f.element.report(self.state.t, &markers).potential
+        };
+        self.system.forces.iter().map(report).sum()
+    }
+
+    /// The scaled constraint Jacobian.
+    pub fn jacobian(&self) -> DMatrix<f64> {
+        let mut c = self.system.dense_jacobian(&self.ws);
+        for (mut column, u) in c.column_iter_mut().zip(self.unit.iter()) {
+            column *= *u;
+        }
+        for (mut row, u) in c.row_iter_mut().zip(self.row_unit.iter()) {
+            row /= *u;
+        }
+        c
+    }
+
+    /// The scaled applied forces.
+    pub fn forces(&self) -> DVector<f64> {
+        DVector::from_fn(self.ws.force.len(), |k, _| self.ws.force[k] * self.unit[k])
+    }
+
+    /// The scaled unbalanced force F = Q_e - C_q^T lambda at the evaluated pose (Shabana 6.171).
+    pub fn unbalanced(&self, lambda: &DVector<f64>) -> DVector<f64> {
+        let mut f = self.ws.force.clone();
+        let plain: Vec<f64> = lambda
+            .iter()
+            .zip(self.row_unit.iter())
+            .map(|(l, u)| l / u)
+            .collect();
+        self.system
+            .jac_transpose_add(&self.ws, -1.0, &plain, &mut f);
+        DVector::from_fn(f.len(), |k, _| f[k] * self.unit[k])
+    }
+
+    /// Stiffness -dF/dq along scaled directions, one column each, at fixed multipliers. The workspace
+    /// is left at another pose.
+    pub fn stiffness(
+        &mut self,
+        q: &[f64],
+        lambda: &DVector<f64>,
+        directions: &DMatrix<f64>,
+    ) -> Result<DMatrix<f64>, AnalysisError> {
+        let mut k = DMatrix::zeros(directions.nrows(), directions.ncols());
+        let mut shifted = vec![0.0; q.len()];
+        for j in 0..directions.ncols() {
+            let direction = directions.column(j).into_owned();
+            let mut side = |factor: f64| -> Result<DVector<f64>, AnalysisError> {
+                shifted.copy_from_slice(q);
+                self.shift(&mut shifted, factor, &direction);
+                self.evaluate(&shifted)?;
+                Ok(self.unbalanced(lambda))
+            };
+            let slope = (side(-DIFFERENCE)? - side(DIFFERENCE)?) / (2.0 * DIFFERENCE);
+            k.set_column(j, &slope);
+        }
+        Ok(k)
+    }
+
+    /// Moves a pose by a scaled step.
+    pub fn shift(&self, q: &mut [f64], factor: f64, step: &DVector<f64>) {
+        // In the plane positions and velocities have the same layout.
+        for ((x, d), u) in q.iter_mut().zip(step.iter()).zip(self.unit.iter()) {
+            *x += factor * d * u;
+        }
+    }
+}
+
+/// The factor that keeps a scaled step within what a linear model can mean: half a radian, twice
+/// the size.
+pub(super) fn step_limit(system: &System<Planar>, step: &DVector<f64>) -> f64 {
+    let mut worst: f64 = 0.0;
+    for (k, x) in step.iter().enumerate() {
+        let linear = k < system.body_nv() && k % 3 < 2;
+        worst = worst.max(if linear { x.abs() / 4.0 } else { x.abs() });
+    }
+    if worst > 0.5 { 0.5 / worst } else { 1.0 }
+}

@@ -1,0 +1,137 @@
+//! Does an equilibrium return after a push?
+
+use super::motions::Motions;
+use super::problem::Problem;
+use super::solution::Solution;
+use crate::analysis::AnalysisError;
+use crate::solve::RankError;
+use crate::space::Planar;
+use crate::system::System;
+use nalgebra::linalg::SymmetricEigen;
+use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
+
+/// What an equilibrium does after a small push.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Stability {
+    /// Every free motion is pushed back; also where nothing can move.
+    Stable,
+    /// No free motion is pushed away, but at least one is not pushed back either.
+    Neutral,
+    /// At least one free motion is pushed away.
+    Unstable,
+}
+
+/// What the reduced stiffness K_r = -B^T (dF/dq) B says.
+#[derive(Clone, Debug)]
+pub(super) struct Verdict {
+    pub stability: Stability,
+    /// Eigenvalues of the symmetric part of K_r, ascending.
+    pub eigenvalues: Vec<f64>,
+    /// Is K_r symmetric to the accuracy of its differences?
+    pub symmetric: bool,
+    /// Neutral and unstable motions in words.
+    pub motions: Vec<String>,
+    /// The motion that is pushed away hardest, scaled.
+    pub away: Option<DVector<f64>>,
+}
+
+/// Parts of the largest force and of the largest stiffness below which a stiffness is zero: central
+/// differences are good to some 1e-10 of them.
+const NEUTRAL: (f64, f64) = (1e-7, 1e-9);
+
+/// Judges the equilibrium of a solution.
+pub(super) fn judge(
+    problem: &mut Problem<'_>,
+    solution: &Solution,
+) -> Result<Verdict, AnalysisError> {
+    problem.evaluate(&solution.q)?;
+    let motions = Motions::new(problem)?;
+    let scale = problem.force_scale();
+    let k = problem.stiffness(&solution.q, &solution.lambda, &motions.basis)?;
+    let k = motions.basis.transpose() * k;
+    let asymmetry = (&k - k.transpose()).amax();
+    let (values, vectors) = principal(problem, &k)?;
+    let zero = NEUTRAL.0 * scale + NEUTRAL.1 * values.amax();
+    let mut verdict = Verdict {
+        stability: Stability::Stable,
+        symmetric: asymmetry <= 1e-6 * k.amax() + NEUTRAL.0 * scale,
+        eigenvalues: values.iter().copied().collect(),
+        motions: Vec::new(),
+        away: None,
+    };
+    for (j, h) in values.iter().enumerate() {
+        // A machine without any force has zero stiffness and a zero threshold.
+        if *h > zero {
+            continue;
+        }
+        let motion = &motions.basis * vectors.column(j);
+        let text = in_words(problem.system, &motion);
+        if *h < -zero {
+            verdict.stability = Stability::Unstable;
+            verdict.motions.push(format!("unstable: {text}"));
+            verdict.away.get_or_insert(motion);
+        } else {
+            if verdict.stability == Stability::Stable {
+                verdict.stability = Stability::Neutral;
+            }
+            verdict.motions.push(format!("neutral: {text}"));
+        }
+    }
+    Ok(verdict)
+}
+
+/// Eigenvalues, ascending, and eigenvectors of the symmetric part of a matrix.
+pub(super) fn principal(
+    problem: &Problem<'_>,
+    k: &DMatrix<f64>,
+) -> Result<(DVector<f64>, DMatrix<f64>), AnalysisError> {
+    let n = k.nrows();
+    if n == 0 {
+        return Ok((DVector::zeros(0), DMatrix::zeros(0, 0)));
+    }
+    let symmetric = 0.5 * (k + k.transpose());
+    if symmetric.iter().any(|x| !x.is_finite()) {
+        return Err(problem.rank_error(RankError::NoConvergence));
+    }
+    let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, 100 * n.max(1))
+        .ok_or_else(|| problem.rank_error(RankError::NoConvergence))?;
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+    Ok((
+        DVector::from_fn(n, |i, _| eigen.eigenvalues[order[i]]),
+        DMatrix::from_fn(n, n, |i, j| eigen.eigenvectors[(i, order[j])]),
+    ))
+}
+
+/// A scaled motion in words: which bodies take part and how, the greatest first.
+pub(super) fn in_words(system: &System<Planar>, motion: &DVector<f64>) -> String {
+    let mut parts: Vec<(f64, String)> = Vec::new();
+    for (b, body) in system.bodies.iter().enumerate() {
+        let (x, y, turn) = (motion[3 * b], motion[3 * b + 1], motion[3 * b + 2]);
+        let shift = x.hypot(y);
+        let what = if turn.abs() > 1e-3 * shift {
+            "turns".to_owned()
+        } else {
+            // The sense of a motion means nothing: x is made positive.
+            let sign = if x < -1e-9 * shift { -1.0 } else { 1.0 };
+            format!(
+                "moves along ({:.3}, {:.3})",
+                sign * x / shift + 0.0,
+                sign * y / shift + 0.0
+            )
+        };
+        parts.push((shift.max(turn.abs()), format!("{} {what}", body.name)));
+    }
+    parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let largest = parts.first().map_or(0.0, |p| p.0);
+    parts.retain(|p| p.0 > 0.1 * largest);
+    let more = parts.len().saturating_sub(6);
+    parts.truncate(6);
+    let mut words: Vec<String> = parts.into_iter().map(|p| p.1).collect();
+    if more > 0 {
+        words.push(format!("{more} more bodies move"));
+    }
+    words.join(", ")
+}

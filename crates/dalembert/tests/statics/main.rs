@@ -1,0 +1,9 @@
+//! Static equilibrium.
+
+mod chain;
+mod common;
+mod holding;
+mod linkage;
+mod none;
+mod several;
+mod single;

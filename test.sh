@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Runs every check of the project: format, lints, docs, all tests. Needs Rust and Node.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+cargo fmt --all --check
+cargo clippy --workspace --all-targets -- -D warnings
+RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --document-private-items
+cargo test --workspace
+
+if command -v npm >/dev/null; then
+    (cd viewer && npm ci --no-audit --no-fund && npm test)
+else
+    echo "npm is missing: the tests of the viewer were left out (install Node 20 or newer)" >&2
+    exit 1
+fi
