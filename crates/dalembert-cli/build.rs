@@ -2,7 +2,8 @@
 //!
 //! Everything happens in a copy of `viewer/` below OUT_DIR. Cargo never runs two builds on one
 //! OUT_DIR at a time, so two builds can never disturb each other's `node_modules`, and the source
-//! tree stays clean.
+//! tree stays clean. Without Node.js the program is built all the same, with a warning; it then says
+//! what is missing where the page is asked for.
 
 use std::error::Error;
 use std::fs;
@@ -20,24 +21,75 @@ const SOURCES: [&str; 6] = [
     "src",
 ];
 
-const NO_NPM: &str = "npm was not found. The animated page needs it: \
-    install Node.js 18 or newer (https://nodejs.org), of which npm is a part.";
+/// The oldest major version of Node.js that the page is built with.
+const OLDEST_NODE: u32 = 18;
 
-const WITHOUT: &str =
-    "To build the program without the animated page: cargo build --no-default-features";
+const REMEDY: &str = "install Node.js 18 or newer with npm (https://nodejs.org), then run \
+    `cargo clean -p dalembert-cli` and build again";
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-env-changed=PATH");
+    println!("cargo::rustc-check-cfg=cfg(viewer_page)");
     if env::var_os("CARGO_FEATURE_VIEWER").is_none() {
+        without_page(
+            "the feature \"viewer\" was off; build it with `cargo build --features viewer`",
+        );
         return;
     }
-    if let Err(error) = build_page() {
-        for line in error.to_string().lines() {
-            println!("cargo::error={line}");
-        }
-        println!("cargo::error={WITHOUT}");
-        exit(1);
+    // A machine without Node.js still gets the program: only the page is missing.
+    if let Some(missing) = missing_tools() {
+        let reason = format!("{missing}; {REMEDY}");
+        println!("cargo::warning=the program is built without the animated page: {reason}");
+        without_page(&reason);
+        return;
     }
+    match build_page() {
+        Ok(()) => println!("cargo::rustc-cfg=viewer_page"),
+        Err(error) => {
+            for line in error.to_string().lines() {
+                println!("cargo::error={line}");
+            }
+            println!(
+                "cargo::error=To build the program without the animated page: \
+                 cargo build --no-default-features"
+            );
+            exit(1);
+        }
+    }
+}
+
+/// Tells the program why it has no page; it says so where the page is asked for.
+fn without_page(reason: &str) {
+    println!("cargo::rustc-env=DALEMBERT_NO_PAGE={reason}");
+}
+
+/// What is missing to build the page, in one sentence; `None` if nothing is.
+fn missing_tools() -> Option<String> {
+    let Some(node) = version("node") else {
+        return Some("Node.js was not found".to_owned());
+    };
+    let major = node
+        .trim_start_matches('v')
+        .split('.')
+        .next()?
+        .parse::<u32>();
+    if major.is_ok_and(|major| major < OLDEST_NODE) {
+        return Some(format!("Node.js {node} is too old"));
+    }
+    if version(NPM).is_none() {
+        return Some("npm was not found".to_owned());
+    }
+    None
+}
+
+const NPM: &str = if cfg!(windows) { "npm.cmd" } else { "npm" };
+
+/// The version that a program says it has; `None` if it cannot be run.
+fn version(program: &str) -> Option<String> {
+    let output = Command::new(program).arg("--version").output().ok()?;
+    let text = String::from_utf8_lossy(&output.stdout).trim().to_owned();
+    (output.status.success() && !text.is_empty()).then_some(text)
 }
 
 fn build_page() -> Result<(), Box<dyn Error>> {
@@ -80,16 +132,12 @@ fn install(work: &Path) -> Result<(), Box<dyn Error>> {
 }
 
 fn npm(work: &Path, arguments: &[&str]) -> Result<(), Box<dyn Error>> {
-    let program = if cfg!(windows) { "npm.cmd" } else { "npm" };
     let command = format!("npm {}", arguments.join(" "));
-    let output = Command::new(program)
+    let output = Command::new(NPM)
         .args(arguments)
         .current_dir(work)
         .output()
-        .map_err(|error| match error.kind() {
-            io::ErrorKind::NotFound => NO_NPM.to_owned(),
-            _ => format!("cannot run {command}: {error}"),
-        })?;
+        .map_err(|error| format!("cannot run {command}: {error}"))?;
     if output.status.success() {
         return Ok(());
     }

@@ -39,6 +39,22 @@ pub enum Command {
     Schema,
 }
 
+impl Command {
+    /// Is the answer wanted as JSON?
+    pub fn json(&self) -> bool {
+        match self {
+            Self::Kinematics(a) | Self::Simulate(a) => a.model.json,
+            Self::Inverse(a) => a.run.model.json,
+            Self::View(a) => a.run.model.json,
+            Self::Statics(a) => a.run.model.json,
+            Self::Check(a) => a.model.json,
+            Self::Equations(a) => a.model.json,
+            Self::Network(a) => a.model.json,
+            Self::New(_) | Self::Plot(_) | Self::Schema => false,
+        }
+    }
+}
+
 /// Arguments of `new`.
 #[derive(Args, Debug)]
 pub struct NewArgs {
@@ -47,7 +63,7 @@ pub struct NewArgs {
 }
 
 /// What every command on a model takes.
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct ModelArgs {
     /// Model file (TOML)
     pub model: PathBuf,
@@ -60,7 +76,7 @@ pub struct ModelArgs {
 }
 
 /// Arguments of analyses over time.
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct RunArgs {
     /// Model.
     #[command(flatten)]
@@ -89,6 +105,9 @@ pub struct RunArgs {
     /// File of the plot; default beside the model
     #[arg(long, value_name = "FILE")]
     pub plot_file: Option<PathBuf>,
+    /// Write the animated page of the run to this file
+    #[arg(long, value_name = "FILE")]
+    pub html: Option<PathBuf>,
 }
 
 /// Arguments of `plot`.
@@ -135,7 +154,7 @@ pub enum ViewAnalysis {
     Simulate,
 }
 
-/// Arguments of `view`.
+/// Arguments of `view`; its page goes beside the model where `--html` names no file.
 #[derive(Args, Debug)]
 pub struct ViewArgs {
     /// Run.
@@ -144,9 +163,6 @@ pub struct ViewArgs {
     /// Which motion
     #[arg(long, value_enum, default_value_t = ViewAnalysis::Auto)]
     pub analysis: ViewAnalysis,
-    /// HTML file; default beside the model
-    #[arg(long, value_name = "FILE")]
-    pub page: Option<PathBuf>,
 }
 
 /// Arguments of `check`.

@@ -1,21 +1,30 @@
 //! Why the program ends without success, and its exit code.
 
 use dalembert::analysis::AnalysisError;
+use serde_json::{Value, json};
 use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why the program ends without success.
 #[derive(Debug, Error)]
 pub enum Failure {
-    /// The analysis failed, or stopped early.
+    /// The analysis failed.
     #[error("error: {0}")]
     Analysis(#[from] AnalysisError),
+    /// The analysis stopped early; what it has is written, with the reason.
+    #[error("error: {0}")]
+    Stopped(AnalysisError),
     /// The command line asks for something that does not exist.
     #[error("error: {0}")]
     Usage(String),
-    /// The model has mistakes; they are rendered already.
-    #[error("{0}")]
-    Model(String),
+    /// The model has mistakes.
+    #[error("{text}")]
+    Model {
+        /// The mistakes for people.
+        text: String,
+        /// The mistakes for programs.
+        diagnostics: Value,
+    },
     /// A file cannot be read or written.
     #[error("error: {path}: {cause}")]
     File {
@@ -27,12 +36,32 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// Tells the user: people by a text on the error stream, programs (`json`) by one JSON object
+    /// on the output. With an object of results the reason is in that one.
+    pub fn tell(&self, json: bool) {
+        match self {
+            Self::Model { diagnostics, .. } if json => {
+                println!(
+                    "{:#}",
+                    json!({ "completed": false, "diagnostics": diagnostics })
+                );
+            }
+            Self::Analysis(_) | Self::Usage(_) | Self::File { .. } if json => {
+                println!(
+                    "{:#}",
+                    json!({ "completed": false, "error": self.to_string() })
+                );
+            }
+            _ => eprintln!("{}", self.to_string().trim_end()),
+        }
+    }
+
     /// Exit code for scripts.
     pub fn code(&self) -> u8 {
         match self {
-            Self::Analysis(_) => 1,
+            Self::Analysis(_) | Self::Stopped(_) => 1,
             Self::Usage(_) => 2,
-            Self::Model(_) => 3,
+            Self::Model { .. } => 3,
             Self::File { .. } => 4,
         }
     }

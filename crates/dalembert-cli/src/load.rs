@@ -16,9 +16,21 @@ pub struct Loaded {
     pub compiled: Compiled,
     /// Text of the file.
     pub text: String,
+    /// Warnings for programs: a JSON list.
+    pub warnings: serde_json::Value,
 }
 
-/// Reads and compiles a model file; prints warnings.
+impl Loaded {
+    /// An answer for programs, with the warnings of the model under "diagnostics".
+    pub fn with_warnings(&self, mut answer: serde_json::Value) -> serde_json::Value {
+        if let Some(object) = answer.as_object_mut() {
+            object.insert("diagnostics".to_owned(), self.warnings.clone());
+        }
+        answer
+    }
+}
+
+/// Reads and compiles a model file; prints warnings for people.
 pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Failure> {
     let text = std::fs::read_to_string(&args.model).map_err(|e| Failure::File {
         path: args.model.clone(),
@@ -28,19 +40,17 @@ pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Fai
     let folder = args.model.parent();
     let mut parsed = parse_model(&text, folder);
     let name = args.model.display().to_string();
-    let show = |parsed: &Parsed| {
-        if args.json {
-            format!(
-                "{:#}",
-                to_json(&parsed.diagnostics, &parsed.source, &name, &text)
-            )
-        } else {
-            let color = std::io::stderr().is_terminal();
-            render(&parsed.diagnostics, &parsed.source, &name, &text, color)
-        }
+    let for_people = |parsed: &Parsed| {
+        let color = std::io::stderr().is_terminal();
+        render(&parsed.diagnostics, &parsed.source, &name, &text, color)
+    };
+    let for_programs = |parsed: &Parsed| to_json(&parsed.diagnostics, &parsed.source, &name, &text);
+    let mistakes = |parsed: &Parsed| Failure::Model {
+        text: for_people(parsed),
+        diagnostics: for_programs(parsed),
     };
     let Some(mut draft) = parsed.draft.clone() else {
-        return Err(Failure::Model(show(&parsed)));
+        return Err(mistakes(&parsed));
     };
     // The draft stands in for a model with mistakes, to find those inside expressions too.
     change(&mut draft);
@@ -56,17 +66,27 @@ pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Fai
     };
     match (&parsed.model, compiled) {
         (Some(_), Some(compiled)) => {
-            if !parsed.diagnostics.is_empty() {
-                eprintln!("{}", show(&parsed));
+            if !parsed.diagnostics.is_empty() && !args.json {
+                eprint!("{}", for_people(&parsed));
             }
+            let warnings = for_programs(&parsed);
             Ok(Loaded {
                 model: draft,
                 compiled,
                 text,
+                warnings,
             })
         }
-        _ => Err(Failure::Model(show(&parsed))),
+        _ => Err(mistakes(&parsed)),
     }
+}
+
+/// Reads and compiles the model of a run, with the options of the command line.
+pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
+    if args.html.is_some() {
+        crate::page::check()?;
+    }
+    load(&args.model, apply(args))
 }
 
 fn overrides(set: &[String]) -> Result<Vec<(String, Value)>, Failure> {
@@ -89,7 +109,7 @@ pub fn number_or_text(text: &str) -> Value {
 }
 
 /// Puts the options of the command line into the model.
-pub fn apply(args: &RunArgs) -> impl Fn(&mut Model) + '_ {
+fn apply(args: &RunArgs) -> impl Fn(&mut Model) + '_ {
     |model| {
         let a = &mut model.analysis;
         for (option, slot) in [

@@ -1,7 +1,9 @@
 //! The program `dalembert`: multibody dynamics from a model file.
 //!
 //! Exit codes: 0 done; 1 the analysis failed or stopped early; 2 the command line is wrong; 3 the
-//! model file has mistakes; 4 a file cannot be read or written.
+//! model file has mistakes; 4 a file cannot be read or written. With `--json` the output is one JSON
+//! object in each of these cases: the results, or `"completed": false` with `"diagnostics"` (a list
+//! of mistakes with their places) or `"error"` (a sentence).
 #![forbid(unsafe_code)]
 
 mod arguments;
@@ -9,6 +11,7 @@ mod commands;
 mod failure;
 mod load;
 mod output;
+mod page;
 mod scene;
 mod summary;
 mod viewer;
@@ -19,6 +22,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
+    let json = arguments.command.json();
     let done = match arguments.command {
         Command::New(a) => commands::new::run(&a),
         Command::Check(a) => commands::check::run(&a),
@@ -35,7 +39,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("{failure}");
+            failure.tell(json);
             ExitCode::from(failure.code())
         }
     }

@@ -8,7 +8,7 @@ use dalembert_io::plot::Plot;
 use dalembert_io::result_file::{Meta, select, write};
 use std::path::{Path, PathBuf};
 
-/// Writes what `--out` and `--plot` ask for; returns the files written.
+/// Writes what `--out`, `--plot` and `--html` ask for; returns the files written.
 pub fn write_all(
     args: &RunArgs,
     loaded: &Loaded,
@@ -37,6 +37,10 @@ pub fn write_all(
             .unwrap_or_else(|| beside(&args.model.model, ".svg"));
         draw(results, &patterns, &path)?;
         written.push(path);
+    }
+    if let Some(path) = &args.html {
+        crate::page::write(loaded, results, path)?;
+        written.push(path.clone());
     }
     Ok(written)
 }

@@ -4,8 +4,8 @@ use crate::load::Loaded;
 use dalembert::results::Results;
 use dalembert::system::compile::{DrawnEnd, DrawnForm, DrawnShape};
 use dalembert_io::animation::{
-    AnimatedBody, AnimatedChannel, AnimatedTrace, Animation, Form, Joint, JointEnd, Shape, Spring,
-    SpringEnd,
+    AnimatedBody, AnimatedChannel, AnimatedTrace, Animation, Form, Joint, JointEnd, Load, Shape,
+    Spring, SpringEnd,
 };
 
 /// The page's data for a run.
@@ -57,6 +57,12 @@ pub fn animation(loaded: &Loaded, results: &Results, summary: Vec<(String, Strin
             kind: s.kind.clone(),
             first: spring_end(&s.first),
             second: spring_end(&s.second),
+        });
+    }
+    for (name, end) in &drawing.loads {
+        animation.loads.push(Load {
+            name: name.clone(),
+            on: spring_end(end),
         });
     }
     for (name, end) in &drawing.traces {

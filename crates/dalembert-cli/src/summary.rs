@@ -1,7 +1,7 @@
 //! What the program prints after an analysis.
 
 use dalembert::analysis::AssemblyReport;
-use dalembert::results::Results;
+use dalembert::results::{Channel, Results};
 use std::path::PathBuf;
 
 /// Significant digits for people.
@@ -112,6 +112,15 @@ pub fn table(results: &Results) -> String {
     out
 }
 
+/// The channels that measure the error of a run, each with its largest size.
+pub fn errors(results: &Results) -> Vec<(&Channel, f64)> {
+    ["energy.balance", "violation.position", "violation.velocity"]
+        .into_iter()
+        .filter_map(|name| results.channel(name))
+        .map(|c| (c, c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()))))
+        .collect()
+}
+
 /// "written: a.csv, b.svg".
 pub fn files(written: &[PathBuf]) -> String {
     let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
@@ -135,16 +144,17 @@ pub fn report(
     if args.model.json {
         println!(
             "{:#}",
-            serde_json::json!({
+            loaded.with_warnings(serde_json::json!({
                 "model": results.model,
                 "analysis": results.analysis,
                 "instants": results.len(),
                 "statistics": results.statistics,
                 "notes": results.notes,
                 "completed": stopped.is_none(),
+                "error": stopped.as_ref().map(ToString::to_string),
                 "files": written,
                 "last": results.channels.iter().filter_map(|c| Some((c.name.clone(), *c.values.last()?))).collect::<std::collections::BTreeMap<_, _>>(),
-            })
+            }))
         );
     } else {
         let time = results.channel("time").map_or(&[][..], |c| &c.values[..]);
@@ -159,11 +169,13 @@ pub fn report(
             );
         }
         print!("{}", table(&results));
-        for name in ["energy.balance", "violation.position"] {
-            if let Some(c) = results.channel(name) {
-                let worst = c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-                println!("  largest |{name}|: {} {}", number(worst), c.unit);
-            }
+        for (channel, worst) in errors(&results) {
+            println!(
+                "  largest |{}|: {} {}",
+                channel.name,
+                number(worst),
+                channel.unit
+            );
         }
         let statistics: Vec<String> = results
             .statistics
@@ -179,7 +191,7 @@ pub fn report(
         }
     }
     match stopped {
-        Some(error) => Err(error.into()),
+        Some(error) => Err(crate::failure::Failure::Stopped(error)),
         None => Ok(()),
     }
 }

@@ -3,25 +3,33 @@
 use std::error::Error;
 use std::fmt;
 
-#[cfg(feature = "viewer")]
+#[cfg(viewer_page)]
 const PAGE: Option<&str> = Some(include_str!(concat!(env!("OUT_DIR"), "/viewer.html")));
-#[cfg(not(feature = "viewer"))]
+#[cfg(not(viewer_page))]
 const PAGE: Option<&str> = None;
+
+/// Why there is no page, as the build script found it.
+const REASON: Option<&str> = option_env!("DALEMBERT_NO_PAGE");
 
 /// The page cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ViewerError {
-    /// The program was built without the feature `viewer`.
-    NotBuilt,
+    /// The program was built without the page.
+    NotBuilt {
+        /// What was missing and what to do.
+        reason: &'static str,
+    },
 }
 
 impl fmt::Display for ViewerError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotBuilt => f.write_str(
-                "this program was built without the viewer; build it again with npm installed and \
-                 with the feature \"viewer\" (which is on by default)",
-            ),
+            Self::NotBuilt { reason } => {
+                write!(
+                    f,
+                    "this program was built without the animated page: {reason}"
+                )
+            }
         }
     }
 }
@@ -30,14 +38,16 @@ impl Error for ViewerError {}
 
 /// The HTML of the page; its element `dalembert-data` is empty and takes the JSON of an animation.
 pub fn page() -> Result<&'static str, ViewerError> {
-    PAGE.ok_or(ViewerError::NotBuilt)
+    PAGE.ok_or(ViewerError::NotBuilt {
+        reason: REASON.unwrap_or("the reason is not known"),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[cfg(feature = "viewer")]
+    #[cfg(viewer_page)]
     #[test]
     fn the_page_has_one_place_for_data_and_asks_for_nothing() {
         let page = page().unwrap();
@@ -54,9 +64,10 @@ mod tests {
         }
     }
 
-    #[cfg(not(feature = "viewer"))]
+    #[cfg(not(viewer_page))]
     #[test]
-    fn without_the_feature_there_is_no_page() {
-        assert_eq!(page(), Err(ViewerError::NotBuilt));
+    fn a_program_without_the_page_says_how_to_get_it() {
+        let text = page().unwrap_err().to_string();
+        assert!(text.contains("build"), "{text}");
     }
 }

@@ -128,7 +128,18 @@ fn unknown_kind() {
     check(
         "[[constraint]]\nname = \"c\"\nkind = \"coupeler\"\nzzz = 1\n",
         &[
+            "missing-key 3:1 constraint \"c\": the key `terms` is missing | -",
             "unknown-kind 5:8 constraint \"c\": `kind`: there is no kind `coupeler` | did you mean `coupler`? allowed here: `fixed`, `coupler`, `expression`",
+            "unknown-key 6:1 constraint \"c\": unknown key `zzz` | allowed here: `name`, `kind`, `terms`, `value`",
+        ],
+    );
+    // Nothing is known of this kind: only keys that mean the same in every kind are read.
+    check(
+        "[[joint]]\nname = \"A\"\nkind = \"hook\"\nbodies = [\"a\", \"ground\"]\nat = [[0], [0, 0]]\nzzz = 1\n",
+        &[
+            "unknown-kind 5:8 joint \"A\": `kind`: there is no kind `hook` | allowed here: `revolute`, `prismatic`, `weld`, `distance`, `pin-slot`, `gear`, `rack`, `cam`, `rolling-on-line`, `rolling-on-circle`",
+            "unknown-body 6:11 joint \"A\": `bodies[0]`: there is no body \"a\" | known: `ground`",
+            "wrong-length 7:7 joint \"A\": `at[0]`: expected 2 entries, found 1 | -",
         ],
     );
 }
@@ -296,9 +307,6 @@ fn names_are_unique_over_all_sections() {
         &[
             &format!(
                 "reserved-name 5:1 parameter \"t\": the name \"t\" belongs to the time | {help}"
-            ),
-            &format!(
-                "duplicate-name 7:8 body \"crank\": the name \"crank\" is already taken by a parameter (parameters.crank) | {help}"
             ),
             &format!(
                 "reserved-name 9:8 body \"ground\": the name \"ground\" belongs to the fixed body that always exists | {help}"

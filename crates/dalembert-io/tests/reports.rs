@@ -14,24 +14,87 @@ fn a_model_with_mistakes_is_a_draft_with_all_its_elements() {
 }
 
 #[test]
-fn without_all_elements_there_is_no_draft() {
+fn without_a_list_of_elements_there_is_no_draft() {
     let start = "[model]\nname = \"m\"\n";
-    for lost in [
-        "[[joint]]\nname = \"A\"\nkind = \"pin\"\n",
-        "body = 3\n",
-        "[body]\n",
-        "[[",
-        "body = [1]\n",
-    ] {
-        let text = if lost.starts_with('[') {
-            format!("{start}{lost}")
-        } else {
-            format!("{lost}{start}")
-        };
+    for text in [format!("body = 3\n{start}"), format!("{start}[[")] {
         let parsed = parse_model(&text, None);
         assert!(parsed.draft.is_none() && parsed.model.is_none(), "{text}");
         assert_eq!(parsed.diagnostics.len(), 1, "{text}");
     }
+}
+
+#[test]
+fn elements_of_which_nothing_is_known_keep_their_place() {
+    let text = "body = [1, { name = \"b\", shape = [{ kind = \"blob\" }, { kind = \"circle\", radius = 1 }] }]\n\
+        joint = [{ name = \"A\", kind = \"xyz\" }, { name = \"B\", kind = \"revolute\", bodies = [\"ground\", \"b\"], point = [0, 0] }]\n\
+        driver = [{ name = \"D\" }]\n\
+        force = [3, { name = \"F\", kind = \"pull\" }]\n\
+        constraint = [{ name = \"C\", kind = \"fixed\", quantity = { kind = \"q\" } }, { name = \"E\", kind = \"coupler\", terms = [{ factor = 1 }] }]\n\
+        initial = [{}]\n\
+        [model]\nname = \"m\"\n";
+    let parsed = parse_model(text, None);
+    let draft = parsed.draft.unwrap();
+    assert_eq!(draft.bodies.len(), 2);
+    assert_eq!(draft.bodies[1].name, "b");
+    assert_eq!(draft.bodies[1].shape.len(), 2);
+    assert_eq!((draft.joints.len(), draft.drivers.len()), (2, 1));
+    assert_eq!((draft.forces.len(), draft.constraints.len()), (2, 2));
+    assert_eq!(draft.initial.len(), 1);
+    // One mistake for each of them, and what the placeholders make the engine say is left out.
+    let codes = codes_with_engine(text);
+    let places: Vec<&str> = codes.iter().map(|c| c.split(' ').next().unwrap()).collect();
+    assert_eq!(
+        places,
+        [
+            "wrong-type",
+            "unknown-kind",
+            "unknown-kind",
+            "missing-key",
+            "wrong-type",
+            "unknown-kind",
+            "unknown-kind",
+            "missing-key",
+            "missing-key",
+            "wrong-combination",
+        ],
+        "{codes:?}"
+    );
+}
+
+#[test]
+fn a_section_with_single_brackets_is_read_all_the_same() {
+    let text = "[model]\nname = \"m\"\n[body]\nname = \"a\"\nmas = 1\ninertia = \"2 kg\"\n\
+        [[joint]]\nname = \"A\"\nkind = \"revolute\"\nbodies = [\"ground\", \"a\"]\npoint = [0, 0]\n";
+    assert_eq!(
+        codes_with_engine(text),
+        ["wrong-type 3:1", "unknown-key 5:1", "unit-mismatch 6:12"]
+    );
+}
+
+#[test]
+fn names_of_a_misspelt_section_are_not_missed() {
+    let text = "[model]\nname = \"m\"\n[[bodyy]]\nname = \"a\"\n\
+        [[trace]]\nname = \"p\"\nbody = \"a\"\n";
+    assert_eq!(codes_with_engine(text), ["unknown-key 3:3"]);
+}
+
+#[test]
+fn what_follows_from_a_mistake_is_not_reported() {
+    let start = "[model]\nname = \"m\"\n[parameters]\nr = \"2 * s\"\ns = \"r\"\n\
+        [[body]]\nname = \"a\"\nmass = \"r - 1 kg\"\n";
+    assert_eq!(codes_with_engine(start), ["parameter-cycle 4:5"]);
+    // The spring is spoilt, and so is what is said of its length.
+    let text = start.replace("2 * s", "2").replace("\"r - 1 kg\"", "1")
+        + "[[force]]\nname = \"s1\"\nkind = \"sprig-damper\"\nbodies = [\"ground\", \"x\"]\nat = [[0, 0], [0, 1]]\n\
+           [[force]]\nname = \"s2\"\nkind = \"moment\"\nbody = \"a\"\nvalue = \"-s1.length * 1 N + 1 N*kg\"\n";
+    assert_eq!(
+        codes_with_engine(&text),
+        [
+            "unknown-kind 11:8",
+            "unknown-body 12:21",
+            "unit-mismatch 18:10"
+        ]
+    );
 }
 
 /// Codes after the findings of the engine are added.
@@ -61,11 +124,11 @@ fn mistakes_of_expressions_are_reported_together_with_the_others() {
     assert_eq!(codes.len(), 2, "{codes:?}");
     assert!(codes[0].ends_with(" 7:13"), "{codes:?}");
     assert_eq!(codes[1], "unknown-key 11:1");
-    // A lost parameter makes every expression wrong: only the parameter is reported.
+    // A lost parameter has no value: what is wrong whatever the value is reported, no more.
     let text = text.replace("m = \"2 kg\"", "m = []");
     assert_eq!(
         codes_with_engine(&text),
-        ["wrong-type 4:5", "unknown-key 11:1"]
+        ["wrong-type 4:5", "loose-unit 7:13", "unknown-key 11:1"]
     );
 }
 
@@ -109,6 +172,8 @@ maas = \"1 kg\"
 [[joint]]
 name = \"O\"
 kind = \"revolut\"
+bodies = [\"ground\", \"crank\"]
+point = [0, 0]
 
 [[joint]]
 name = \"A\"
@@ -139,9 +204,9 @@ error[unknown-kind]: joint \"O\": `kind`: there is no kind `revolut`
    = help: did you mean `revolute`? allowed here: `revolute`, `prismatic`, `weld`, `distance`, `pin-slot`, `gear`, `rack`, `cam`, `rolling-on-line`, `rolling-on-circle`
 
 error[unknown-body]: joint \"A\": `bodies[0]`: there is no body \"crnk\"
-  --> bad.toml:15:11
+  --> bad.toml:17:11
    |
-15 | bodies = [\"crnk\", \"ground\"]
+17 | bodies = [\"crnk\", \"ground\"]
    |           ^^^^^^
    |
    = help: did you mean \"crank\"?
@@ -166,9 +231,9 @@ fn mistakes_as_json_have_line_and_column() {
             "help": "did you mean \"crank\"?",
             "path": "joint[1].bodies[0]",
             "file": "bad.toml",
-            "line": 15,
+            "line": 17,
             "column": 11,
-            "end_line": 15,
+            "end_line": 17,
             "end_column": 17,
         })
     );

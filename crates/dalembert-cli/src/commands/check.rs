@@ -41,12 +41,12 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     if args.model.json {
         println!(
             "{:#}",
-            serde_json::json!({
+            loaded.with_warnings(serde_json::json!({
                 "mobility": report,
                 "loops": loops.iter().map(|l| &l.joints).collect::<Vec<_>>(),
                 "singular_poses": sweep.as_ref().map(|s| &s.poses),
                 "assembly": notes,
-            })
+            }))
         );
         return Ok(());
     }

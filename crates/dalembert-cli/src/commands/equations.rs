@@ -36,7 +36,7 @@ pub fn run(args: &EquationsArgs) -> Result<(), Failure> {
     };
     let report = analysis.run(&system.running(), &state)?;
     let text = if args.model.json {
-        format!("{:#}\n", serde_json::json!(report))
+        format!("{:#}\n", loaded.with_warnings(serde_json::json!(report)))
     } else {
         report.to_text()
     };

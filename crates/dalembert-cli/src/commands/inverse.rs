@@ -2,13 +2,13 @@
 
 use crate::arguments::InverseArgs;
 use crate::failure::Failure;
-use crate::load::{apply, load};
+use crate::load::load_run;
 use crate::summary;
 use dalembert::analysis::{Inverse, NewtonOptions};
 
 /// Runs the inverse dynamics and prints its summary.
 pub fn run(args: &InverseArgs) -> Result<(), Failure> {
-    let loaded = load(&args.run.model, apply(&args.run))?;
+    let loaded = load_run(&args.run)?;
     let options = &loaded.compiled.options;
     let analysis = Inverse {
         instants: options.instants(),

@@ -2,13 +2,13 @@
 
 use crate::arguments::RunArgs;
 use crate::failure::Failure;
-use crate::load::{apply, load};
+use crate::load::load_run;
 use crate::summary;
 use dalembert::analysis::{Kinematics, NewtonOptions};
 
 /// Runs the kinematic analysis and prints its summary.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
-    let loaded = load(&args.model, apply(args))?;
+    let loaded = load_run(args)?;
     let options = &loaded.compiled.options;
     let analysis = Kinematics {
         instants: options.instants(),

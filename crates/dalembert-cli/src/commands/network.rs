@@ -24,13 +24,13 @@ pub fn run(args: &NetworkArgs) -> Result<(), Failure> {
         let sizes: Vec<_> = trees.iter().map(|t| t.size(&network)).collect();
         println!(
             "{:#}",
-            serde_json::json!({
+            loaded.with_warnings(serde_json::json!({
                 "network": network,
                 "incidence": network.incidence(),
                 "trees": trees,
                 "sizes": sizes,
                 "loops": network.loops(),
-            })
+            }))
         );
         return Ok(());
     }

@@ -2,14 +2,14 @@
 
 use crate::arguments::RunArgs;
 use crate::failure::Failure;
-use crate::load::{apply, load};
+use crate::load::load_run;
 use crate::summary;
 use dalembert::analysis::Dynamics;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Runs the simulation and prints its summary.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
-    let loaded = load(&args.model, apply(args))?;
+    let loaded = load_run(args)?;
     let options = &loaded.compiled.options;
     let (start, end) = (options.start, options.end);
     let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr_with_hz(4));

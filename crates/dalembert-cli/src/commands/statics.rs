@@ -2,7 +2,7 @@
 
 use crate::arguments::{StaticsArgs, StaticsRoute};
 use crate::failure::Failure;
-use crate::load::{apply, load};
+use crate::load::{Loaded, load_run};
 use crate::{output, summary};
 use dalembert::analysis::{
     Assembly, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown, holding_loads,
@@ -10,7 +10,7 @@ use dalembert::analysis::{
 
 /// Finds the equilibria, or the loads that hold the machine in its pose.
 pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
-    let loaded = load(&args.run.model, apply(&args.run))?;
+    let loaded = load_run(&args.run)?;
     let system = &loaded.compiled.system;
     if !args.hold.is_empty() || !args.hold_force.is_empty() {
         let (mut state, _) = Assembly::default().run(system)?;
@@ -23,8 +23,8 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
             .collect();
         let loads = holding_loads(system, &state, &unknowns)?;
         let written = output::write_all(&args.run, &loaded, &loads.results)?;
-        print_loads(args, &loads);
-        if !written.is_empty() {
+        print_loads(args, &loaded, &loads);
+        if !written.is_empty() && !args.run.model.json {
             println!("{}", summary::files(&written));
         }
         return Ok(());
@@ -40,7 +40,7 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
     let report = analysis.run(system)?;
     let written = output::write_all(&args.run, &loaded, &report.results)?;
     if args.run.model.json {
-        println!("{:#}", serde_json::json!(report));
+        println!("{:#}", loaded.with_warnings(serde_json::json!(report)));
     } else {
         print_report(&report, &system.coordinate_names());
         if !written.is_empty() {
@@ -50,9 +50,9 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn print_loads(args: &StaticsArgs, loads: &HoldingLoads) {
+fn print_loads(args: &StaticsArgs, loaded: &Loaded, loads: &HoldingLoads) {
     if args.run.model.json {
-        println!("{:#}", serde_json::json!(loads));
+        println!("{:#}", loaded.with_warnings(serde_json::json!(loads)));
         return;
     }
     println!(

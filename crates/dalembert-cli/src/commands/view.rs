@@ -1,18 +1,25 @@
 //! `dalembert view`: the animated page.
 
-use crate::arguments::{ViewAnalysis, ViewArgs};
+use crate::arguments::{RunArgs, ViewAnalysis, ViewArgs};
 use crate::failure::Failure;
-use crate::load::{apply, beside, load};
-use crate::output::write_text;
-use crate::{scene, summary, viewer};
+use crate::load::{beside, load_run};
+use crate::summary;
 use dalembert::analysis::{Dynamics, Kinematics, NewtonOptions};
 use dalembert::system::Role;
-use dalembert_io::animation::html;
 
-/// Runs the machine and writes the page.
+/// Runs the machine, writes the page and prints the summary of the run.
 pub fn run(args: &ViewArgs) -> Result<(), Failure> {
-    let template = viewer::page().map_err(|e| Failure::Usage(e.to_string()))?;
-    let loaded = load(&args.run.model, apply(&args.run))?;
+    let model = &args.run.model.model;
+    let page = args
+        .run
+        .html
+        .clone()
+        .unwrap_or_else(|| beside(model, ".html"));
+    let args_with_page = RunArgs {
+        html: Some(page),
+        ..args.run.clone()
+    };
+    let loaded = load_run(&args_with_page)?;
     let system = &loaded.compiled.system;
     let options = &loaded.compiled.options;
     let newton = NewtonOptions {
@@ -28,7 +35,7 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
         Ok::<_, Failure>((run.results, run.assembly, run.stopped))
     };
     let driven = system.elements.iter().any(|e| e.role == Role::Driver);
-    let (mut results, assembly, stopped) = match args.analysis {
+    let (results, assembly, stopped) = match args.analysis {
         ViewAnalysis::Simulate => dynamics()?,
         ViewAnalysis::Kinematics => {
             let run = kinematics.run(system)?;
@@ -41,30 +48,5 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
         },
         ViewAnalysis::Auto => dynamics()?,
     };
-    results.notes.extend(summary::assembly(&assembly));
-    if let Some(error) = &stopped {
-        results.notes.push(format!("error: {error}"));
-    }
-    let facts = vec![
-        ("Analysis".to_owned(), results.analysis.clone()),
-        ("Bodies".to_owned(), system.bodies.len().to_string()),
-        ("Instants".to_owned(), results.len().to_string()),
-    ];
-    let animation = scene::animation(&loaded, &results, facts);
-    let path = args
-        .page
-        .clone()
-        .unwrap_or_else(|| beside(&args.run.model.model, ".html"));
-    let page = html(template, &animation).map_err(|e| Failure::File {
-        path: path.clone(),
-        cause: e.to_string(),
-    })?;
-    write_text(&path, &page)?;
-    let mut written = crate::output::write_all(&args.run, &loaded, &results)?;
-    written.insert(0, path);
-    println!("{}", summary::files(&written));
-    match stopped {
-        Some(error) => Err(error.into()),
-        None => Ok(()),
-    }
+    summary::report(&args_with_page, &loaded, results, &assembly, stopped)
 }

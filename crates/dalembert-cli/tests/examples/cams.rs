@@ -131,11 +131,16 @@ fn the_page_shows_the_profile() {
     let answer = std::process::Command::new(env!("CARGO_BIN_EXE_dalembert"))
         .arg("view")
         .arg(example("cam-flat"))
-        .arg("--page")
+        .arg("--html")
         .arg(&page)
         .output()
         .unwrap();
-    assert!(answer.status.success());
+    let said = String::from_utf8_lossy(&answer.stderr);
+    if said.contains("without the animated page") {
+        eprintln!("skipped: {said}");
+        return;
+    }
+    assert!(answer.status.success(), "{said}");
     let text = std::fs::read_to_string(&page).unwrap();
     let start = text.find("\"dalembert-animation/1\"").expect("the data");
     let data = &text[text[..start].rfind('{').unwrap()..];

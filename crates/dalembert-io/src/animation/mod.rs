@@ -17,7 +17,7 @@ mod tests;
 pub use error::AnimationError;
 pub use page::{MARKER, html};
 pub use parts::{
-    AnimatedBody, AnimatedChannel, AnimatedTrace, Ground, Joint, JointEnd, Spring, SpringEnd,
+    AnimatedBody, AnimatedChannel, AnimatedTrace, Ground, Joint, JointEnd, Load, Spring, SpringEnd,
 };
 pub use scene::{Animation, FORMAT};
 pub use shape::{Form, Shape};

@@ -52,7 +52,8 @@ pub struct JointEnd {
     /// Direction in the frame of the body, for joints that have one.
     #[serde(serialize_with = "rounded::optional")]
     pub direction: Option<[f64; 3]>,
-    /// Closed curve fixed to the body, in the frame of the body (m): a cam's profile.
+    /// Closed curve fixed to the body, in the frame of the body (m): a cam's profile, a
+    /// gear's pitch circle. It is the form of a body that has no shapes.
     #[serde(
         default,
         skip_serializing_if = "Vec::is_empty",
@@ -82,6 +83,16 @@ pub struct SpringEnd {
     /// Point in the frame of the body (m).
     #[serde(serialize_with = "rounded::slice")]
     pub at: [f64; 3],
+}
+
+/// An element that pushes a body at a point; its channels NAME.force_x and NAME.force_y are the
+/// force in ground axes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Load {
+    /// Name.
+    pub name: String,
+    /// Where it pushes.
+    pub on: SpringEnd,
 }
 
 /// A point whose path is drawn.

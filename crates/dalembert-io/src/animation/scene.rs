@@ -1,7 +1,7 @@
 //! The whole animation, and the check that it hangs together.
 
 use super::{
-    AnimatedBody, AnimatedChannel, AnimatedTrace, AnimationError, Form, Ground, Joint, Shape,
+    AnimatedBody, AnimatedChannel, AnimatedTrace, AnimationError, Form, Ground, Joint, Load, Shape,
     Spring, rounded,
 };
 use serde::{Deserialize, Serialize};
@@ -31,6 +31,9 @@ pub struct Animation {
     pub joints: Vec<Joint>,
     /// Springs, dampers and their like between two points.
     pub springs: Vec<Spring>,
+    /// Elements that push a body at a point.
+    #[serde(default)]
+    pub loads: Vec<Load>,
     /// Points whose paths are drawn.
     pub traces: Vec<AnimatedTrace>,
     /// Channels to plot, one value a frame.
@@ -53,6 +56,7 @@ impl Default for Animation {
             ground: Ground::default(),
             joints: Vec::new(),
             springs: Vec::new(),
+            loads: Vec::new(),
             traces: Vec::new(),
             channels: Vec::new(),
             notes: Vec::new(),
@@ -101,6 +105,10 @@ impl Animation {
                 self.body_exists(&spring.name, &end.body)?;
                 finite(&spring.name, "at", &end.at)?;
             }
+        }
+        for load in &self.loads {
+            self.body_exists(&load.name, &load.on.body)?;
+            finite(&load.name, "at", &load.on.at)?;
         }
         for trace in &self.traces {
             self.body_exists(&trace.name, &trace.body)?;

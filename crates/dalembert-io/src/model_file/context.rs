@@ -12,8 +12,10 @@ pub(super) struct Context<'a> {
     pub folder: Option<&'a Path>,
     /// Components of a point: 2 or 3.
     pub dimension: Cell<usize>,
-    /// Has an element been left out, because its kind is not known?
+    /// Is a whole section something else than a list of tables?
     pub lost: Cell<bool>,
+    /// Sections that cannot be read or are misspelt: names in them are not known.
+    pub absent: RefCell<Vec<&'static str>>,
     /// Findings so far.
     pub diagnostics: RefCell<Vec<Diagnostic>>,
     /// Names that elements have.
@@ -33,6 +35,7 @@ impl<'a> Context<'a> {
             folder,
             dimension: Cell::new(2),
             lost: Cell::new(false),
+            absent: RefCell::default(),
             diagnostics: RefCell::default(),
             names: RefCell::default(),
             references: RefCell::default(),

@@ -157,27 +157,34 @@ impl<'a> Item<'a> {
         Some(self.entries("a list")?.iter().filter_map(read).collect())
     }
 
-    /// Two things.
-    pub fn pair<T>(&self, read: impl Fn(&Item<'a>) -> Option<T>) -> Option<[T; 2]> {
+    /// A list of numbers and texts, with placeholders for what cannot be read.
+    pub fn values(&self) -> Option<Vec<Value>> {
+        self.list(|item| Some(item.value().unwrap_or_default()))
+    }
+
+    /// Two things, with placeholders for what cannot be read.
+    pub fn pair<T: Default>(&self, read: impl Fn(&Item<'a>) -> Option<T>) -> Option<[T; 2]> {
         let entries = self.entries("a list of 2")?;
         let found = entries.len();
-        let read: Vec<Option<T>> = entries.iter().map(read).collect();
+        let pair: Vec<T> = entries
+            .iter()
+            .map(|item| read(item).unwrap_or_default())
+            .collect();
         if found != 2 {
             self.wrong_length("2", found);
-            return None;
         }
-        let pair: Vec<T> = read.into_iter().collect::<Option<_>>()?;
         pair.try_into().ok()
     }
 
-    /// A point or vector with as many components as the space has.
+    /// A point or vector with as many components as the space has; placeholders stand for
+    /// components that cannot be read.
     pub fn point(&self) -> Option<Point> {
         let expected = self.context.dimension.get();
         let entries = self.entries(&format!("a list of {expected} numbers"))?;
         if entries.len() != expected {
             self.wrong_length(&expected.to_string(), entries.len());
         }
-        entries.iter().map(Item::value).collect()
+        self.values()
     }
 
     /// The entries of a list.

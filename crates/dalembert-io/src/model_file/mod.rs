@@ -3,6 +3,7 @@
 mod context;
 mod csv_table;
 mod item;
+mod known_mistakes;
 mod line_column;
 mod lower;
 mod names;

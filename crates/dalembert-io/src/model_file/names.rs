@@ -137,10 +137,11 @@ fn check_references(context: &Context<'_>) {
         } else {
             &joints
         };
-        if known.contains(used.name.as_str()) {
+        let word = used.section.word();
+        // Where a section cannot be read, nobody knows its names.
+        if known.contains(used.name.as_str()) || context.absent.borrow().contains(&word) {
             continue;
         }
-        let word = used.section.word();
         let text = format!("there is no {word} \"{}\"", used.name);
         let near = if suggestions > 0 {
             nearest(&used.name, known.iter().copied())

@@ -1,18 +1,18 @@
 //! What reading a model file gives.
 
+use super::known_mistakes::KnownMistakes;
 use super::source_map::SourceMap;
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::Model;
-use std::collections::HashSet;
 
 /// What reading a model file gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parsed {
     /// The model, if the file has no errors.
     pub model: Option<Model>,
-    /// The model with placeholders (0, empty texts) where the file has mistakes: not for use, but
-    /// for finding more mistakes, such as those inside expressions; see [`Parsed::add`]. `None` if
-    /// the file is not TOML or if the kind of an element is not known.
+    /// The model with placeholders where the file has mistakes: not for use, but for finding more
+    /// mistakes, such as those inside expressions; see [`Parsed::add`]. Every element has its place
+    /// in it. `None` if the file is not TOML or if a list of elements is no list.
     pub draft: Option<Model>,
     /// Where everything stands in the file.
     pub source: SourceMap,
@@ -23,18 +23,14 @@ pub struct Parsed {
 impl Parsed {
     /// Adds what the engine says of the draft, so that all mistakes are reported at once.
     ///
-    /// Left out is what only follows from mistakes that are known already: findings about an
-    /// element that has a mistake, and all findings if parameters, tables or a whole section have.
-    /// With an error there is no model any more.
+    /// Left out is what only follows from mistakes that are known already. With an error there is
+    /// no model any more.
     pub fn add(&mut self, findings: Vec<Diagnostic>) {
-        let errors = self.diagnostics.iter().filter(|d| d.is_error());
-        let spoilt: HashSet<String> = errors.map(|d| element(&d.path).to_owned()).collect();
-        if spoilt.iter().any(|element| spoils_others(element)) {
-            return;
-        }
-        let news = findings
+        let known = KnownMistakes::new(&self.diagnostics, &self.source);
+        let news: Vec<Diagnostic> = findings
             .into_iter()
-            .filter(|d| !spoilt.contains(element(&d.path)));
+            .filter(|finding| !known.explain(finding))
+            .collect();
         self.diagnostics.extend(news);
         let source = &self.source;
         self.diagnostics
@@ -43,15 +39,4 @@ impl Parsed {
             self.model = None;
         }
     }
-}
-
-/// The element or section of a path: `body[2]` of `body[2].shape[0].radius`.
-fn element(path: &str) -> &str {
-    path.split('.').next().unwrap_or_default()
-}
-
-/// Does a mistake there make other elements look wrong?
-fn spoils_others(element: &str) -> bool {
-    let local = element.ends_with(']') && !element.starts_with("table[");
-    !(local || element == "analysis" || element == "output")
 }

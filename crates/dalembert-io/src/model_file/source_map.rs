@@ -23,6 +23,18 @@ struct Place {
     show_key: bool,
 }
 
+/// Sections that are lists of tables.
+pub(super) const LISTS: [&str; 8] = [
+    "table",
+    "body",
+    "joint",
+    "constraint",
+    "driver",
+    "force",
+    "initial",
+    "trace",
+];
+
 /// No model has tables in tables deeper than this; deeper ones belong to mistakes.
 const DEEPEST: usize = 12;
 
@@ -35,10 +47,13 @@ impl SourceMap {
     }
 
     fn add_table(&mut self, text: &str, table: &DeTable<'_>, path: &str, depth: usize) {
+        let root = path.is_empty();
         for (key, value) in table.iter() {
             let mut path = child(path, key.get_ref());
-            // `shape` may be one table instead of a list; the model has a list.
-            if key.get_ref() == "shape" && value.get_ref().is_table() {
+            // `shape` may be one table instead of a list; the model has a list. One table where
+            // the file should have a list of them is read as the first of the list.
+            let list = key.get_ref() == "shape" || root && LISTS.contains(&key.get_ref().as_ref());
+            if list && value.get_ref().is_table() {
                 self.add(text, Some(key.span()), value, path.clone(), 0);
                 path.push_str("[0]");
             }
@@ -80,6 +95,11 @@ impl SourceMap {
     /// where the file has nothing of the path.
     pub fn locate(&self, path: &str) -> Option<Range<usize>> {
         self.nearest(path).map(|p| p.value.clone())
+    }
+
+    /// Has the file a value at exactly this path?
+    pub(super) fn has(&self, path: &str) -> bool {
+        self.places.contains_key(path)
     }
 
     /// Bytes of the key at a path, where the path ends in a key.

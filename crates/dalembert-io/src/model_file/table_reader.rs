@@ -161,7 +161,8 @@ impl<'a> TableReader<'a> {
 
     /// The `kind` of the element: one of `kinds`.
     ///
-    /// After a mistake the other keys mean nothing; the caller then leaves the table.
+    /// After a mistake of spelling it is the nearest one. `None` says that nothing is known of the
+    /// kind.
     pub fn kind<T: Copy>(&mut self, kinds: &[(&'static str, T)]) -> Option<T> {
         let Some(item) = self.item("kind") else {
             let allowed = listed(kinds.iter().map(|(word, _)| *word));
@@ -176,13 +177,16 @@ impl<'a> TableReader<'a> {
             item.wrong_type("a text");
             return None;
         };
-        let found = kinds.iter().find(|(kind, _)| *kind == word.as_ref());
+        let of = |word: &str| kinds.iter().find(|(kind, _)| *kind == word);
+        let mut found = of(word);
         if found.is_none() {
+            let words = || kinds.iter().map(|(kind, _)| *kind);
             item.error(
                 "unknown-kind",
                 &format!("there is no kind `{word}`"),
-                Some(did_you_mean(word, kinds.iter().map(|(kind, _)| *kind))),
+                Some(did_you_mean(word, words())),
             );
+            found = nearest(word, words()).and_then(of);
         }
         found.map(|(_, kind)| *kind)
     }
@@ -203,9 +207,11 @@ impl<'a> TableReader<'a> {
         }
     }
 
-    /// Reports keys that nobody asked for and needed keys that are missing.
-    pub fn finish(self) {
+    /// Reports keys that nobody asked for and needed keys that are missing; returns the keys that
+    /// the unknown ones were probably meant to be.
+    pub fn finish(self) -> Vec<&'static str> {
         let mut missing = self.missing;
+        let mut misspelt = Vec::new();
         for (key, _) in self.table.iter() {
             let key = key.get_ref();
             if self.asked.contains(&key.as_ref()) {
@@ -219,6 +225,7 @@ impl<'a> TableReader<'a> {
             // A misspelt needed key is one mistake, not two.
             if let Some(meant) = nearest(key, free) {
                 missing.retain(|k| *k != meant);
+                misspelt.push(meant);
             }
             let message = self.place.message(&format!("unknown key `{key}`"));
             let path = child(&self.place.path, key);
@@ -235,5 +242,6 @@ impl<'a> TableReader<'a> {
                 message,
             ));
         }
+        misspelt
     }
 }

@@ -9,7 +9,7 @@ use dalembert::model::{Body, Shape};
 use toml::de::DeValue;
 
 /// Reads a `[[body]]`.
-pub(super) fn lower(mut table: TableReader<'_>) -> Option<Body> {
+pub(super) fn lower(mut table: TableReader<'_>) -> Body {
     let body = Body {
         name: table.name(Section::Body),
         mass: table.value("mass"),
@@ -24,7 +24,7 @@ pub(super) fn lower(mut table: TableReader<'_>) -> Option<Body> {
         shape: table.item("shape").map(shapes).unwrap_or_default(),
     };
     table.finish();
-    Some(body)
+    body
 }
 
 /// Reads `shape`: one table, or a list of them.
@@ -32,9 +32,11 @@ fn shapes(mut item: Item<'_>) -> Vec<Shape> {
     match item.value {
         DeValue::Table(_) => {
             item.place.path.push_str("[0]");
-            shape::lower(&item).into_iter().collect()
+            vec![shape::lower(&item)]
         }
-        DeValue::Array(_) => item.list(shape::lower).unwrap_or_default(),
+        DeValue::Array(_) => item
+            .list(|item| Some(shape::lower(item)))
+            .unwrap_or_default(),
         _ => {
             item.wrong_type("a table or a list of tables");
             Vec::new()

@@ -1,10 +1,10 @@
 //! Constraints that are not joints.
 
-use super::quantity;
+use super::{quantity, unknown_kind};
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
-use dalembert::model::{Constraint, ConstraintKind, Term};
+use dalembert::model::{Constraint, ConstraintKind, Quantity, Term};
 
 #[derive(Clone, Copy)]
 enum Kind {
@@ -20,25 +20,32 @@ const KINDS: [(&str, Kind); 3] = [
 ];
 
 /// Reads a `[[constraint]]`.
-pub(super) fn lower(mut table: TableReader<'_>) -> Option<Constraint> {
+pub(super) fn lower(mut table: TableReader<'_>) -> Constraint {
     let name = table.name(Section::Constraint);
-    let kind = match table.kind(&KINDS)? {
-        Kind::Fixed => {
-            let quantity = table.required("quantity", quantity::from_item);
-            let value = table.value("value");
-            // A quantity has no placeholder: without it the constraint is left out.
-            quantity.map(|quantity| ConstraintKind::Fixed { quantity, value })
-        }
-        Kind::Coupler => Some(ConstraintKind::Coupler {
+    let fixed = |quantity: Option<Quantity>, value| ConstraintKind::Fixed {
+        quantity: quantity.unwrap_or_else(unknown_kind::quantity),
+        value,
+    };
+    let kind = match table.kind(&KINDS) {
+        Some(Kind::Fixed) => fixed(
+            table.required("quantity", quantity::from_item),
+            table.value("value"),
+        ),
+        Some(Kind::Coupler) => ConstraintKind::Coupler {
             terms: table.required("terms", terms).unwrap_or_default(),
             value: table.value("value"),
-        }),
-        Kind::Expression => Some(ConstraintKind::Expression {
+        },
+        Some(Kind::Expression) => ConstraintKind::Expression {
             expression: table.need_value("expression"),
-        }),
+        },
+        None => {
+            unknown_kind::read(&mut table);
+            let kind = fixed(None, None);
+            return Constraint { name, kind };
+        }
     };
     table.finish();
-    Some(Constraint { name, kind: kind? })
+    Constraint { name, kind }
 }
 
 fn terms(item: &Item<'_>) -> Option<Vec<Term>> {
@@ -46,11 +53,15 @@ fn terms(item: &Item<'_>) -> Option<Vec<Term>> {
         item.wrong_length("at least 1", 0);
     }
     item.list(|item| {
-        super::table_of(item, |table| {
+        let term = super::table_of(item, |table| {
             Some(Term {
                 factor: table.need_value("factor"),
                 quantity: quantity::lower(table)?,
             })
-        })
+        });
+        Some(term.unwrap_or_else(|| Term {
+            factor: Default::default(),
+            quantity: unknown_kind::quantity(),
+        }))
     })
 }

@@ -1,6 +1,6 @@
 //! Drivers.
 
-use super::quantity;
+use super::{quantity, unknown_kind};
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
@@ -13,21 +13,31 @@ enum Kind {
 }
 
 /// Reads a `[[driver]]`.
-pub(super) fn lower(mut table: TableReader<'_>) -> Option<Driver> {
+pub(super) fn lower(mut table: TableReader<'_>) -> Driver {
     let mut kinds: Vec<(&'static str, Kind)> = quantity::KINDS
         .map(|(word, kind)| (word, Kind::Scalar(kind)))
         .to_vec();
     kinds.push(("path", Kind::Path));
     let name = table.name(Section::Driver);
-    let kind = match table.kind(&kinds)? {
-        Kind::Scalar(kind) => DriverKind::Scalar {
+    let kind = match table.kind(&kinds) {
+        Some(Kind::Scalar(kind)) => DriverKind::Scalar {
             quantity: quantity::of_kind(&mut table, kind),
             motion: motion(&mut table),
         },
-        Kind::Path => path(&mut table),
+        Some(Kind::Path) => path(&mut table),
+        None => {
+            unknown_kind::read(&mut table);
+            let kind = DriverKind::Scalar {
+                quantity: unknown_kind::quantity(),
+                motion: Motion::Value {
+                    value: Default::default(),
+                },
+            };
+            return Driver { name, kind };
+        }
     };
     table.finish();
-    Some(Driver { name, kind })
+    Driver { name, kind }
 }
 
 fn motion(table: &mut TableReader<'_>) -> Motion {

@@ -1,6 +1,7 @@
 //! Force elements.
 
 use super::placement::{self, Needs};
+use super::unknown_kind;
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
@@ -33,13 +34,22 @@ const KINDS: [(&str, Kind); 8] = [
 const AXES: [(&str, Axes); 2] = [("ground", Axes::Ground), ("body", Axes::Body)];
 
 /// Reads a `[[force]]`.
-pub(super) fn lower(mut table: TableReader<'_>) -> Option<Force> {
-    let force = Force {
-        name: table.name(Section::Force),
-        kind: kind(&mut table)?,
-    };
-    table.finish();
-    Some(force)
+pub(super) fn lower(mut table: TableReader<'_>) -> Force {
+    let name = table.name(Section::Force);
+    if let Some(kind) = kind(&mut table) {
+        table.finish();
+        return Force { name, kind };
+    }
+    unknown_kind::read(&mut table);
+    Force {
+        name,
+        // The engine refuses it, so that it counts as spoilt.
+        kind: ForceKind::PointGravity {
+            body: String::new(),
+            mu: Default::default(),
+            center: None,
+        },
+    }
 }
 
 fn kind(table: &mut TableReader<'_>) -> Option<ForceKind> {
@@ -106,16 +116,15 @@ fn matrix(item: &Item<'_>) -> Option<Matrix> {
         item.wrong_length(&size.to_string(), entries.len());
     }
     if !entries.iter().any(|e| matches!(e.value, DeValue::Array(_))) {
-        return Some(Matrix::Diagonal(
-            entries.iter().filter_map(Item::value).collect(),
-        ));
+        return item.values().map(Matrix::Diagonal);
     }
     let row = |item: &Item<'_>| {
         let found = item.entries(&format!("a row of {size} numbers"))?.len();
         if found != size {
             item.wrong_length(&size.to_string(), found);
         }
-        item.list(Item::value)
+        item.values()
     };
-    Some(Matrix::Rows(entries.iter().filter_map(row).collect()))
+    let rows = entries.iter().map(|e| row(e).unwrap_or_default());
+    Some(Matrix::Rows(rows.collect()))
 }

@@ -1,13 +1,15 @@
 //! Initial conditions.
 
-use super::quantity;
+use super::{quantity, unknown_kind};
 use crate::model_file::table_reader::TableReader;
 use dalembert::model::Initial;
 
 /// Reads an `[[initial]]`.
-pub(super) fn lower(mut table: TableReader<'_>) -> Option<Initial> {
+pub(super) fn lower(mut table: TableReader<'_>) -> Initial {
+    let quantity = quantity::lower(&mut table);
+    let known = quantity.is_some();
     let initial = Initial {
-        quantity: quantity::lower(&mut table)?,
+        quantity: quantity.unwrap_or_else(unknown_kind::quantity),
         value: table.value("value"),
         rate: table.value("rate"),
     };
@@ -18,6 +20,8 @@ pub(super) fn lower(mut table: TableReader<'_>) -> Option<Initial> {
             "`value` is what the quantity has at the start, `rate` how fast it changes there",
         );
     }
-    table.finish();
-    Some(initial)
+    if known {
+        table.finish();
+    }
+    initial
 }

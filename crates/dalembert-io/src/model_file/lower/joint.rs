@@ -1,6 +1,7 @@
 //! Joints.
 
 use super::placement::{self, Needs};
+use super::unknown_kind;
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
@@ -36,13 +37,19 @@ const KINDS: [(&str, Kind); 10] = [
 const SIDES: [(&str, Side); 2] = [("left", Side::Left), ("right", Side::Right)];
 
 /// Reads a `[[joint]]`.
-pub(super) fn lower(mut table: TableReader<'_>) -> Option<Joint> {
-    let joint = Joint {
-        name: table.name(Section::Joint),
-        kind: kind(&mut table)?,
-    };
-    table.finish();
-    Some(joint)
+pub(super) fn lower(mut table: TableReader<'_>) -> Joint {
+    let name = table.name(Section::Joint);
+    if let Some(kind) = kind(&mut table) {
+        table.finish();
+        return Joint { name, kind };
+    }
+    unknown_kind::read(&mut table);
+    Joint {
+        name,
+        kind: JointKind::Revolute {
+            placement: unknown_kind::placement(),
+        },
+    }
 }
 
 fn kind(table: &mut TableReader<'_>) -> Option<JointKind> {

@@ -1,7 +1,7 @@
 //! From the parsed file to the model: one function for each kind of element.
 //!
-//! After a mistake a function puts a placeholder and goes on, so that all mistakes are found; a
-//! model with mistakes is never handed out as a good one.
+//! After a mistake a function puts a placeholder and goes on, so that all mistakes are found and
+//! every element keeps its place; a model with mistakes is never handed out as a good one.
 
 mod body;
 mod constraint;
@@ -16,10 +16,10 @@ mod settings;
 mod shape;
 mod table;
 mod trace;
+mod unknown_kind;
 
 use super::context::Context;
 use super::item::{Item, Place};
-use super::names::Section;
 use super::table_reader::TableReader;
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::Model;
@@ -52,23 +52,18 @@ pub(super) fn model(context: &Context<'_>, root: &DeTable<'_>) -> Model {
     let model = Model {
         info,
         parameters: parameters::lower(&mut file),
-        tables: elements(&mut file, "table", Section::Table.word(), table::lower),
-        bodies: elements(&mut file, "body", Section::Body.word(), body::lower),
-        joints: elements(&mut file, "joint", Section::Joint.word(), joint::lower),
-        constraints: elements(
-            &mut file,
-            "constraint",
-            Section::Constraint.word(),
-            constraint::lower,
-        ),
-        drivers: elements(&mut file, "driver", Section::Driver.word(), driver::lower),
-        forces: elements(&mut file, "force", Section::Force.word(), force::lower),
+        tables: elements(&mut file, "table", "table", table::lower),
+        bodies: elements(&mut file, "body", "body", body::lower),
+        joints: elements(&mut file, "joint", "joint", joint::lower),
+        constraints: elements(&mut file, "constraint", "constraint", constraint::lower),
+        drivers: elements(&mut file, "driver", "driver", driver::lower),
+        forces: elements(&mut file, "force", "force", force::lower),
         initial: elements(&mut file, "initial", "initial condition", initial::lower),
-        traces: elements(&mut file, "trace", Section::Trace.word(), trace::lower),
+        traces: elements(&mut file, "trace", "trace", trace::lower),
         analysis: section(&mut file, "analysis", settings::analysis).unwrap_or_default(),
         output: section(&mut file, "output", settings::output).unwrap_or_default(),
     };
-    file.finish();
+    context.absent.borrow_mut().extend(file.finish());
     model
 }
 
@@ -88,39 +83,40 @@ fn elements<'a, T>(
     file: &mut TableReader<'a>,
     key: &'static str,
     word: &str,
-    lower: impl Fn(TableReader<'a>) -> Option<T>,
+    lower: impl for<'b> Fn(TableReader<'b>) -> T,
 ) -> Vec<T> {
     let Some(mut list) = file.item(key) else {
         return Vec::new();
     };
     list.place = element_place(list.place.path, format!("section [[{key}]]"));
-    if let DeValue::Table(_) = list.value {
+    let entries = if let DeValue::Table(_) = list.value {
         let help = format!("write [[{key}]] with two brackets above each {word}");
         list.error(
             "wrong-type",
             "expected a list of tables, found a table",
             Some(help),
         );
+        list.place.path.push_str("[0]");
+        vec![list]
+    } else if let Some(entries) = list.entries("a list of tables") {
+        entries
+    } else {
         file.context().lost.set(true);
-        return Vec::new();
-    }
-    let Some(entries) = list.entries("a list of tables") else {
-        file.context().lost.set(true);
+        file.context().absent.borrow_mut().push(key);
         return Vec::new();
     };
-    let mut result = Vec::new();
-    for (k, mut item) in entries.into_iter().enumerate() {
+    let one = |(k, mut item): (usize, Item<'a>)| {
         let label = match name_of(item.value) {
             Some(name) => format!("{word} \"{name}\""),
             None => format!("{word} number {}", k + 1),
         };
         item.place = element_place(item.place.path, label);
-        match item.table().and_then(&lower) {
-            Some(element) => result.push(element),
-            None => file.context().lost.set(true),
+        match item.table() {
+            Some(table) => lower(table),
+            None => unknown_kind::silently(&lower),
         }
-    }
-    result
+    };
+    entries.into_iter().enumerate().map(one).collect()
 }
 
 fn element_place(path: String, label: String) -> Place {

@@ -46,8 +46,8 @@ pub(super) fn lower(file: &mut TableReader<'_>) -> IndexMap<String, Value> {
                 item.place.message(text),
             ));
         }
-        // A placeholder keeps later mistakes of expressions from being about a lost parameter.
-        parameters.insert(name, item.value().unwrap_or_default());
+        // A number that is none keeps the engine from judging what follows from it.
+        parameters.insert(name, item.value().unwrap_or(Value::Number(f64::NAN)));
     }
     parameters
 }

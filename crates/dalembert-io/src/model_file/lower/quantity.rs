@@ -1,5 +1,6 @@
 //! Scalar quantities, which drivers, constraints and initial conditions speak of.
 
+use super::unknown_kind;
 use crate::model_file::item::Item;
 use crate::model_file::table_reader::TableReader;
 use dalembert::model::{CoordinateName, Quantity};
@@ -29,9 +30,13 @@ pub(super) const KINDS: [(&str, Kind); 5] = [
     ("distance", Kind::Distance),
 ];
 
-/// Reads a quantity whose keys stand among those of the element.
+/// Reads a quantity whose keys stand among those of the element. `None` if its kind is not known;
+/// then nobody knows which keys the table should have.
 pub(super) fn lower(table: &mut TableReader<'_>) -> Option<Quantity> {
-    let kind = table.kind(&KINDS)?;
+    let Some(kind) = table.kind(&KINDS) else {
+        unknown_kind::read(table);
+        return None;
+    };
     Some(of_kind(table, kind))
 }
 

@@ -24,22 +24,31 @@ const KINDS: [(&str, Kind); 6] = [
 ];
 
 /// Reads a shape.
-pub(super) fn lower(item: &Item<'_>) -> Option<Shape> {
-    super::table_of(item, |table| {
-        let kind = kind(table)?;
-        let shape = Shape {
-            kind,
-            at: table.point("at"),
-            angle: table.value("angle"),
-            mass: table.value("mass"),
-            density: table.value("density"),
-            thickness: table.value("thickness"),
-            cut: table.flag("cut"),
-            color: table.optional("color", color),
-        };
-        check_mass(table);
-        Some(shape)
-    })
+pub(super) fn lower(item: &Item<'_>) -> Shape {
+    match item.table() {
+        Some(table) => of_table(table),
+        None => super::unknown_kind::silently(&of_table),
+    }
+}
+
+fn of_table(mut table: TableReader<'_>) -> Shape {
+    let kind = kind(&mut table);
+    let known = kind.is_some();
+    let shape = Shape {
+        kind: kind.unwrap_or(ShapeKind::Lump { inertia: None }),
+        at: table.point("at"),
+        angle: table.value("angle"),
+        mass: table.value("mass"),
+        density: table.value("density"),
+        thickness: table.value("thickness"),
+        cut: table.flag("cut"),
+        color: table.optional("color", color),
+    };
+    check_mass(&table);
+    if known {
+        table.finish();
+    }
+    shape
 }
 
 fn kind(table: &mut TableReader<'_>) -> Option<ShapeKind> {
@@ -69,7 +78,7 @@ fn kind(table: &mut TableReader<'_>) -> Option<ShapeKind> {
 }
 
 fn polygon(item: &Item<'_>) -> Option<Vec<dalembert::model::Point>> {
-    let points = item.list(Item::point)?;
+    let points = item.list(|item| Some(item.point().unwrap_or_default()))?;
     let found = item.entries("a list")?.len();
     if found < 3 {
         item.wrong_length("at least 3", found);

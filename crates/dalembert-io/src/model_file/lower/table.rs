@@ -13,19 +13,22 @@ const INTERPOLATIONS: [(&str, Interpolation); 3] = [
 ];
 
 /// Reads a `[[table]]`, and the CSV file that it names.
-pub(super) fn lower(mut reader: TableReader<'_>) -> Option<Table> {
+pub(super) fn lower(mut reader: TableReader<'_>) -> Table {
     let mut table = Table {
         name: reader.name(Section::Table),
         interpolation: reader
             .optional("interpolation", |item| item.choice(&INTERPOLATIONS))
             .unwrap_or_default(),
         periodic: reader.flag("periodic"),
-        x: reader.list("x", Item::value),
-        y: reader.list("y", Item::value),
+        x: reader.optional("x", Item::values).unwrap_or_default(),
+        y: reader.optional("y", Item::values).unwrap_or_default(),
         file: reader.optional("file", Item::text),
-        columns: reader.optional("columns", |item| {
-            item.pair(|item| item.count().map(|n| n as usize))
-        }),
+        columns: reader
+            .optional("columns", |item| {
+                item.pair(|item| item.count().map(|n| n as usize))
+            })
+            // Columns count from 1: a zero stands for one that cannot be read.
+            .filter(|columns| !columns.contains(&0)),
         x_unit: reader.optional("x_unit", Item::text),
         y_unit: reader.optional("y_unit", Item::text),
     };
@@ -61,7 +64,7 @@ pub(super) fn lower(mut reader: TableReader<'_>) -> Option<Table> {
         }
     }
     reader.finish();
-    Some(table)
+    table
 }
 
 fn check_points(reader: &mut TableReader<'_>, help: &str) {

@@ -6,7 +6,7 @@ use crate::model_file::table_reader::TableReader;
 use dalembert::model::Trace;
 
 /// Reads a `[[trace]]`.
-pub(super) fn lower(mut table: TableReader<'_>) -> Option<Trace> {
+pub(super) fn lower(mut table: TableReader<'_>) -> Trace {
     let trace = Trace {
         name: table.name(Section::Trace),
         body: table.need_body("body"),
@@ -15,5 +15,5 @@ pub(super) fn lower(mut table: TableReader<'_>) -> Option<Trace> {
         relative_to: table.optional("relative_to", Item::body),
     };
     table.finish();
-    Some(trace)
+    trace
 }

@@ -23,9 +23,8 @@ impl Context<'_> {
         for (index, body) in model.bodies.iter().enumerate() {
             let place = Place::new("body", index, "body", &body.name);
             let mass = self.mass_properties(body, &place);
-            let origin = self
-                .optional_point(body.position.as_ref(), &place, "position")
-                .unwrap_or_else(Vector2::zeros);
+            let origin = self.optional_point(body.position.as_ref(), &place, "position");
+            let origin = self.or_origin(origin);
             let angle = self
                 .optional(body.angle.as_ref(), Dim::NONE, &place, "angle")
                 .unwrap_or(0.0);
@@ -193,18 +192,16 @@ impl Context<'_> {
         let model = self.model;
         for (index, trace) in model.traces.iter().enumerate() {
             let place = Place::new("trace", index, "trace", &trace.name);
-            let Some(body) = self.place(&trace.body, &place.owner, &place.key("body")) else {
-                continue;
-            };
+            let body = self.place(&trace.body, &place.owner, &place.key("body"));
             let at = self.optional_point(trace.at.as_ref(), &place, "at");
             let angle = self
                 .optional(trace.angle.as_ref(), Dim::NONE, &place, "angle")
                 .unwrap_or(0.0);
-            let observer = trace.relative_to.as_ref().and_then(|name| {
-                let own = self.place(name, &place.owner, &place.key("relative_to"))?;
-                Some((self.marker(&own, Vector2::zeros(), 0.0), name.clone()))
+            let observer = trace.relative_to.as_ref().map(|name| {
+                let own = self.place(name, &place.owner, &place.key("relative_to"));
+                (self.marker(&own, Vector2::zeros(), 0.0), name.clone())
             });
-            let Some(at) = at else { continue };
+            let at = self.or_origin(at);
             let marker = self.marker(&body, at, angle);
             self.point_properties(&trace.name, marker);
             self.trace_list.push(TraceData {

@@ -27,11 +27,13 @@ impl Context<'_> {
     fn constraint(&mut self, kind: &ConstraintKind, place: &Place) -> Option<Built> {
         match kind {
             ConstraintKind::Fixed { quantity, value } => {
-                let m = self.quantity(quantity, &place.owner, &place.key("quantity"))?;
-                let value = match value {
-                    Some(v) => self.number(v, m.kind.dim(), &place.owner, &place.key("value"))?,
-                    None => self.estimate(m),
+                let m = self.quantity(quantity, &place.owner, &place.key("quantity"));
+                let dim = Context::quantity_dim(quantity);
+                let value = match (value, m) {
+                    (Some(v), _) => self.number(v, dim, &place.owner, &place.key("value")),
+                    (None, m) => m.map(|m| self.estimate(m)),
                 };
+                let (m, value) = (m?, value?);
                 Some(measure_rows(
                     "fixed coordinate",
                     &[(1.0, m)],
@@ -41,6 +43,7 @@ impl Context<'_> {
             }
             ConstraintKind::Coupler { terms, value } => {
                 let mut list = Vec::new();
+                let mut whole = true;
                 for (k, term) in terms.iter().enumerate() {
                     let path = place.key(&format!("terms[{k}]"));
                     let factor = self.constant(
@@ -50,9 +53,12 @@ impl Context<'_> {
                         &format!("{path}.factor"),
                     );
                     let m = self.quantity(&term.quantity, &place.owner, &path);
-                    list.push((factor?, m?));
+                    match (factor, m) {
+                        (Some(factor), Some(m)) => list.push((factor, m)),
+                        _ => whole = false,
+                    }
                 }
-                if list.is_empty() {
+                if terms.is_empty() {
                     self.report(
                         Diagnostic::error(
                             "no-terms",
@@ -66,15 +72,16 @@ impl Context<'_> {
                     return None;
                 }
                 let value = match value {
-                    Some(v) => {
-                        self.constant(v, Quantity::Free, &place.owner, &place.key("value"))?
-                    }
-                    None => list.iter().map(|(f, m)| f * self.estimate(*m)).sum(),
+                    Some(v) => self.constant(v, Quantity::Free, &place.owner, &place.key("value")),
+                    None => Some(list.iter().map(|(f, m)| f * self.estimate(*m)).sum()),
                 };
+                if !whole {
+                    return None;
+                }
                 Some(measure_rows(
                     "coupler",
                     &list,
-                    TimeFunction::Constant(value),
+                    TimeFunction::Constant(value?),
                     "sum",
                 ))
             }
@@ -102,7 +109,11 @@ impl Context<'_> {
                     );
                     return None;
                 }
-                if inputs.iter().all(|s| s.kind == SignalKind::Time) {
+                let timely = inputs.iter().all(|s| s.kind == SignalKind::Time);
+                if timely && self.stand_ins {
+                    return None;
+                }
+                if timely {
                     self.report(
                         Diagnostic::error(
                             "empty-constraint",

@@ -15,7 +15,7 @@ use dalembert_expr::{Dim, ExprError, Function, Program, Quantity};
 use indexmap::IndexMap;
 use nalgebra::Vector2;
 use smallvec::SmallVec;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// A body or the ground, as placements need it.
@@ -49,6 +49,9 @@ pub(super) struct Context<'m> {
     pub model: &'m Model,
     pub overrides: &'m [(String, Value)],
     pub diagnostics: Vec<Diagnostic>,
+    /// Does anything stand in for what a mistake spoilt? Then what follows from values and places
+    /// may be untrue, and only what is wrong in itself is reported.
+    pub stand_ins: bool,
     pub parameters: IndexMap<String, (f64, Quantity)>,
     pub functions: HashMap<String, Arc<dyn Function>>,
     pub options: Options,
@@ -56,6 +59,8 @@ pub(super) struct Context<'m> {
     pub places: IndexMap<String, BodyPlace>,
     pub joint_places: IndexMap<String, JointPlace>,
     pub properties: IndexMap<String, Vec<Property>>,
+    /// Elements that could not be compiled; expressions that use them are not to blame.
+    pub spoilt: HashSet<String>,
     pub bodies: Vec<BodyData<Planar>>,
     pub markers: Vec<MarkerData<Planar>>,
     pub elements: Vec<ElementData<Planar>>,
@@ -84,6 +89,7 @@ impl<'m> Context<'m> {
             model,
             overrides,
             diagnostics: Vec::new(),
+            stand_ins: false,
             parameters: IndexMap::new(),
             functions: HashMap::new(),
             options: Options::default(),
@@ -91,6 +97,7 @@ impl<'m> Context<'m> {
             places,
             joint_places: IndexMap::new(),
             properties: IndexMap::new(),
+            spoilt: HashSet::new(),
             bodies: Vec::new(),
             // Marker 0 is the ground's own frame.
             markers: vec![MarkerData {
@@ -141,11 +148,9 @@ impl<'m> Context<'m> {
                     functions: &self.functions,
                 };
                 match dalembert_expr::compile(text, &scope, quantity) {
-                    Ok(program) => match program.constant() {
-                        Some(x) => x,
-                        // Without slots in scope every program folds or evaluates to a number.
-                        None => program.eval(&[]),
-                    },
+                    // Only stand-ins have slots here.
+                    Ok(program) if !program.slots().is_empty() => return None,
+                    Ok(program) => program.constant().unwrap_or_else(|| program.eval(&[])),
                     Err(errors) => {
                         self.report_expression(owner, path, errors);
                         return None;
@@ -153,6 +158,9 @@ impl<'m> Context<'m> {
                 }
             }
         };
+        if x.is_nan() && self.stand_ins {
+            return None;
+        }
         if !x.is_finite() {
             self.report(
                 Diagnostic::error(
@@ -241,10 +249,19 @@ impl<'m> Context<'m> {
         }
     }
 
-    /// The body of a name; reports an unknown one.
-    pub fn place(&mut self, name: &str, owner: &str, path: &str) -> Option<BodyPlace> {
+    /// A point, or the origin where a mistake in it has been reported.
+    pub fn or_origin(&mut self, point: Option<Vector2<f64>>) -> Vector2<f64> {
+        point.unwrap_or_else(|| {
+            self.stand_ins = true;
+            Vector2::zeros()
+        })
+    }
+
+    /// The body of a name; reports an unknown one, for which the ground stands in so that the rest
+    /// of the element is looked at too.
+    pub fn place(&mut self, name: &str, owner: &str, path: &str) -> BodyPlace {
         if let Some(p) = self.places.get(name) {
-            return Some(p.clone());
+            return p.clone();
         }
         let known: Vec<&str> = self.places.keys().map(String::as_str).collect();
         let help = suggestion(name, &known)
@@ -257,7 +274,13 @@ impl<'m> Context<'m> {
             )
             .help(help),
         );
-        None
+        self.stand_ins = true;
+        BodyPlace {
+            body: None,
+            origin: Vector2::zeros(),
+            angle: 0.0,
+            center: Vector2::zeros(),
+        }
     }
 
     /// A new marker: a frame at a point of a body's own frame.
@@ -326,12 +349,14 @@ impl<'m> Context<'m> {
         owner: &str,
         path: &str,
     ) -> Option<Program> {
-        let text = match value {
-            Value::Number(x) => format!("{x:?}"),
-            Value::Text(text) => text.clone(),
-        };
-        let no_properties = IndexMap::new();
-        let scope = StateScope::new(&self.parameters, &self.functions, &no_properties);
+        let text = text_of(value);
+        let (no_properties, none_spoilt) = (IndexMap::new(), HashSet::new());
+        let scope = StateScope::new(
+            &self.parameters,
+            &self.functions,
+            &no_properties,
+            &none_spoilt,
+        );
         let compiled = dalembert_expr::compile(&text, &scope, Quantity::Known(dim));
         match compiled {
             Ok(program) => Some(program),
@@ -352,11 +377,13 @@ impl<'m> Context<'m> {
         path: &str,
         markers: &mut SmallVec<[usize; 4]>,
     ) -> Option<(Program, Vec<Signal>)> {
-        let text = match value {
-            Value::Number(x) => format!("{x:?}"),
-            Value::Text(text) => text.clone(),
-        };
-        let scope = StateScope::new(&self.parameters, &self.functions, &self.properties);
+        let text = text_of(value);
+        let scope = StateScope::new(
+            &self.parameters,
+            &self.functions,
+            &self.properties,
+            &self.spoilt,
+        );
         let compiled = dalembert_expr::compile(&text, &scope, dim);
         let used = scope.into_used();
         let program = match compiled {
@@ -452,6 +479,7 @@ impl<'m> Context<'m> {
             return Err(Diagnostics(self.diagnostics));
         }
         let mut drawing = self.drawing();
+        let outlines = self.outlines();
         let mut system = System::new(
             self.model.info.name.clone(),
             self.bodies,
@@ -475,7 +503,7 @@ impl<'m> Context<'m> {
         system.velocity_weight = self.velocity_weight;
         system.set_masses();
         system.set_size();
-        drawing.add_elements(&system);
+        drawing.add_elements(&system, &outlines);
         Ok(Compiled {
             drawing,
             system,
@@ -487,6 +515,14 @@ impl<'m> Context<'m> {
                 .collect(),
             warnings: self.diagnostics,
         })
+    }
+}
+
+/// A value as the text of an expression.
+pub(super) fn text_of(value: &Value) -> String {
+    match value {
+        Value::Number(x) => format!("{x:?}"),
+        Value::Text(text) => text.clone(),
     }
 }
 

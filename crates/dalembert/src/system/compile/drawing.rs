@@ -1,6 +1,7 @@
 //! The picture of a machine: shapes and elements with numbers instead of names and expressions.
 
 use super::context::Context;
+use super::outlines::Outlines;
 use super::place::Place;
 use crate::model::{Shape, ShapeKind};
 use crate::space::Planar;
@@ -58,7 +59,8 @@ pub struct DrawnEnd {
     pub at: [f64; 2],
     /// Direction of the element's x axis in the body's frame.
     pub direction: [f64; 2],
-    /// Closed curve that the element gives to the body, in the body's frame; mostly empty.
+    /// Closed curve of the joint on the body, in the body's frame: a pitch circle, a profile;
+    /// mostly empty.
     pub outline: Vec<[f64; 2]>,
 }
 
@@ -84,27 +86,23 @@ pub struct Drawing {
     pub joints: Vec<DrawnElement>,
     /// Springs and bushings.
     pub springs: Vec<DrawnElement>,
+    /// Elements that push a body at a point: name and place.
+    pub loads: Vec<(String, DrawnEnd)>,
     /// Traces: name and place.
     pub traces: Vec<(String, DrawnEnd)>,
 }
 
 impl Drawing {
     /// Adds joints, springs and traces of a system.
-    pub(super) fn add_elements(&mut self, system: &System<Planar>) {
+    pub(super) fn add_elements(&mut self, system: &System<Planar>, outlines: &Outlines) {
         for e in &system.elements {
             if e.role == Role::Joint && e.markers.len() >= 2 {
-                let mut first = end(system, e.markers[0]);
-                let angle = system.markers[e.markers[0]].frame.angle;
-                first.outline = e.element.outline();
-                for p in &mut first.outline {
-                    let turned = super::context::rotate(angle, &Vector2::new(p[0], p[1]));
-                    *p = [first.at[0] + turned.x, first.at[1] + turned.y];
-                }
-                let mut second = end(system, e.markers[1]);
-                if e.kind == "rack" {
-                    // The element measures along its second body; the picture has the user's order.
-                    std::mem::swap(&mut first, &mut second);
-                }
+                // The user's second body is the one on which the reaction is reported.
+                let second = e.reaction_marker;
+                let first = usize::from(second == 0);
+                let mut ends = [first, second].map(|k| end(system, e.markers[k]));
+                outlines.put(&e.name, &mut ends);
+                let [first, second] = ends;
                 self.joints.push(DrawnElement {
                     name: e.name.clone(),
                     kind: e.kind.clone(),
@@ -112,8 +110,16 @@ impl Drawing {
                     second,
                 });
             }
+            if e.kind == "path driver" {
+                let on = end(system, e.markers[e.reaction_marker]);
+                self.loads.push((e.name.clone(), on));
+            }
         }
         for f in &system.forces {
+            if f.kind == "force" {
+                let on = end(system, f.markers[0]);
+                self.loads.push((f.name.clone(), on));
+            }
             if matches!(f.kind.as_str(), "spring-damper" | "bushing") {
                 self.springs.push(DrawnElement {
                     name: f.name.clone(),

@@ -9,7 +9,6 @@ use crate::joint::{Measure, MeasureKind, MeasureRow, MeasureRows, TimeFunction};
 use crate::model::{DriverKind, Motion, Quantity};
 use crate::system::{Coordinate, Phase, Role};
 use dalembert_expr::Dim;
-use nalgebra::Vector2;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
@@ -39,8 +38,9 @@ impl Context<'_> {
     fn driver(&mut self, kind: &DriverKind, place: &Place) -> Option<Built> {
         match kind {
             DriverKind::Scalar { quantity, motion } => {
-                let m = self.quantity(quantity, &place.owner, &place.path)?;
-                let target = self.motion(motion, m, place)?;
+                let m = self.quantity(quantity, &place.owner, &place.path);
+                let target = self.motion(motion, m, Context::quantity_dim(quantity), place);
+                let (m, target) = (m?, target?);
                 let mut built = measure_rows(kind_name(quantity), &[(1.0, m)], target, "value");
                 built.coordinates = smallvec![Coordinate {
                     name: if m.kind.is_angle() {
@@ -66,26 +66,21 @@ impl Context<'_> {
                 ..
             } => {
                 let second = self.place(body, &place.owner, &place.key("body"));
-                let at = match at {
-                    Some(p) => self.vector(p, Dim::LENGTH, &place.owner, &place.key("at")),
-                    None => Some(Vector2::zeros()),
-                };
-                let first = match from {
-                    Some(name) => self.place(name, &place.owner, &place.key("from")),
-                    None => self.places.get(crate::model::GROUND).cloned(),
-                };
-                let from_at = match from_at {
-                    Some(p) => self.vector(p, Dim::LENGTH, &place.owner, &place.key("from_at")),
-                    None => Some(Vector2::zeros()),
-                };
+                let at = self.optional_point(at.as_ref(), place, "at");
+                let at = self.or_origin(at);
+                let from = from.as_deref().unwrap_or(crate::model::GROUND);
+                let first = self.place(from, &place.owner, &place.key("from"));
+                let from_at = self.optional_point(from_at.as_ref(), place, "from_at");
+                let from_at = self.or_origin(from_at);
                 let mut rows = SmallVec::new();
                 for (value, kind, key) in [
                     (x, MeasureKind::GroundX, "x"),
                     (y, MeasureKind::GroundY, "y"),
                 ] {
                     let Some(value) = value else { continue };
-                    let f =
-                        self.time_function(value, Dim::LENGTH, &place.owner, &place.key(key))?;
+                    let f = self
+                        .time_function(value, Dim::LENGTH, &place.owner, &place.key(key))
+                        .unwrap_or(TimeFunction::Constant(0.0));
                     rows.push(MeasureRow::follow(
                         Measure {
                             kind,
@@ -107,8 +102,8 @@ impl Context<'_> {
                     );
                     return None;
                 }
-                let a = self.marker(&first?, from_at?, 0.0);
-                let b = self.marker(&second?, at?, 0.0);
+                let a = self.marker(&first, from_at, 0.0);
+                let b = self.marker(&second, at, 0.0);
                 Some(Built {
                     kind: "path driver",
                     element: Arc::new(MeasureRows { markers: 2, rows }),
@@ -121,22 +116,28 @@ impl Context<'_> {
         }
     }
 
-    fn motion(&mut self, motion: &Motion, m: GlobalMeasure, place: &Place) -> Option<TimeFunction> {
-        let dim = m.kind.dim();
+    /// A motion of the dimension of its quantity; without the quantity it is only looked at.
+    fn motion(
+        &mut self,
+        motion: &Motion,
+        m: Option<GlobalMeasure>,
+        dim: Dim,
+        place: &Place,
+    ) -> Option<TimeFunction> {
         match motion {
             Motion::Value { value } => {
                 self.time_function(value, dim, &place.owner, &place.key("value"))
             }
             Motion::Rate { rate, start } => {
                 let program =
-                    self.time_program(rate, dim / Dim::TIME, &place.owner, &place.key("rate"))?;
+                    self.time_program(rate, dim / Dim::TIME, &place.owner, &place.key("rate"));
                 let start = match start {
-                    Some(v) => self.number(v, dim, &place.owner, &place.key("start"))?,
-                    None => self.estimate(m),
+                    Some(v) => self.number(v, dim, &place.owner, &place.key("start")),
+                    None => m.map(|m| self.estimate(m)),
                 };
                 Some(TimeFunction::integral(
-                    program,
-                    start,
+                    program?,
+                    start?,
                     self.options.start,
                     self.options.end,
                 ))
@@ -165,16 +166,17 @@ impl Context<'_> {
                 );
                 continue;
             }
-            let Some(m) = self.quantity(&initial.quantity, &place.owner, &place.path) else {
-                continue;
-            };
-            let dim = m.kind.dim();
+            let m = self.quantity(&initial.quantity, &place.owner, &place.path);
+            let dim = Context::quantity_dim(&initial.quantity);
             let name = self.quantity_name(&initial.quantity);
-            if let Some(x) = self.optional(initial.value.as_ref(), dim, &place, "value") {
+            let value = self.optional(initial.value.as_ref(), dim, &place, "value");
+            let rate = self.optional(initial.rate.as_ref(), dim / Dim::TIME, &place, "rate");
+            let Some(m) = m else { continue };
+            if let Some(x) = value {
                 let name = format!("initial {name}");
                 self.start_element(name, place.key("value"), m, x, Phase::StartPosition);
             }
-            if let Some(x) = self.optional(initial.rate.as_ref(), dim / Dim::TIME, &place, "rate") {
+            if let Some(x) = rate {
                 let name = format!("initial rate of {name}");
                 self.start_element(name, place.key("rate"), m, x, Phase::StartVelocity);
             }

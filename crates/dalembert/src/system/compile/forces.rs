@@ -39,6 +39,7 @@ impl Context<'_> {
             let place = Place::new("force", index, "force", &force.name);
             let Some((kind, element, markers)) = self.force(&force.name, &force.kind, &place)
             else {
+                self.spoilt.insert(force.name.clone());
                 continue;
             };
             self.force_elements.push(ForceData {
@@ -59,8 +60,9 @@ impl Context<'_> {
                 value,
                 axes,
             } => {
-                let own = self.place(body, &place.owner, &place.key("body"))?;
-                let at = self.optional_point(at.as_ref(), place, "at")?;
+                let own = self.place(body, &place.owner, &place.key("body"));
+                let at = self.optional_point(at.as_ref(), place, "at");
+                let at = self.or_origin(at);
                 if value.len() != 2 {
                     self.report(
                         Diagnostic::error(
@@ -96,7 +98,7 @@ impl Context<'_> {
                 Some(("force", Arc::new(element), markers))
             }
             ForceKind::Moment { body, value } => {
-                let own = self.place(body, &place.owner, &place.key("body"))?;
+                let own = self.place(body, &place.owner, &place.key("body"));
                 let mut markers: SmallVec<[usize; 4]> =
                     smallvec![self.marker(&own, Vector2::zeros(), 0.0)];
                 let moment =
@@ -110,11 +112,11 @@ impl Context<'_> {
                 Some(("moment", Arc::new(element), markers))
             }
             ForceKind::Actuator { joint, value } => {
-                let m = self.only_coordinate(joint, &place.owner, &place.path)?;
                 let law = Law {
                     actuator: Some(("value", value)),
                     ..Law::default()
                 };
+                let m = self.actuated(joint, law, place)?;
                 Some(self.measure_force("actuator", m, law, 0.0, true, place))
             }
             ForceKind::SpringDamper {
@@ -125,7 +127,7 @@ impl Context<'_> {
                 free_length,
                 force,
             } => {
-                let [first, second] = self.two_points(bodies, at, &place.owner, &place.path)?;
+                let [first, second] = self.two_points(bodies, at, &place.owner, &place.path);
                 let m = GlobalMeasure {
                     kind: MeasureKind::Distance,
                     first,
@@ -182,13 +184,13 @@ impl Context<'_> {
                 damping,
                 free,
             } => {
-                let m = self.only_coordinate(joint, &place.owner, &place.path)?;
                 let law = Law {
                     stiffness: stiffness.as_ref(),
                     damping: damping.as_ref(),
                     free: free.as_ref().map(|v| ("free", v)),
                     actuator: None,
                 };
+                let m = self.actuated(joint, law, place)?;
                 self.warn_powerless(law, place);
                 Some(self.measure_force("joint-spring", m, law, 0.0, false, place))
             }
@@ -203,26 +205,30 @@ impl Context<'_> {
                     [Dim::STIFFNESS, Dim::FORCE, Dim::MOMENT],
                     place,
                     "stiffness",
-                )?;
+                );
                 let c = match damping {
                     Some(c) => {
                         let dims = [Dim::STIFFNESS, Dim::FORCE, Dim::MOMENT].map(|d| d * Dim::TIME);
-                        self.matrix(c, dims, place, "damping")?
+                        self.matrix(c, dims, place, "damping")
                     }
-                    None => Matrix3::zeros(),
+                    None => Some(Matrix3::zeros()),
                 };
                 let element = Bushing {
-                    stiffness: k,
-                    damping: c,
+                    stiffness: k?,
+                    damping: c?,
                 };
                 Some(("bushing", Arc::new(element), SmallVec::from_slice(&m)))
             }
             ForceKind::PointGravity { body, mu, center } => {
-                let own = self.place(body, &place.owner, &place.key("body"))?;
+                let own = self.place(body, &place.owner, &place.key("body"));
                 let mu_dim = Dim::LENGTH * Dim::LENGTH * Dim::ACCELERATION;
-                let mu = self.number(mu, mu_dim, &place.owner, &place.key("mu"))?;
-                let at = self.optional_point(center.as_ref(), place, "center")?;
+                let mu = self.number(mu, mu_dim, &place.owner, &place.key("mu"));
+                let at = self.optional_point(center.as_ref(), place, "center");
+                let (mu, at) = (mu?, at?);
                 let Some(number) = own.body else {
+                    if !self.places.contains_key(body) {
+                        return None;
+                    }
                     self.report(
                         Diagnostic::error(
                             "fixed-body",
@@ -243,6 +249,29 @@ impl Context<'_> {
                 Some(("point-gravity", Arc::new(element), smallvec![marker]))
             }
         }
+    }
+
+    /// The coordinate of the joint that a law acts on. Without one the law is looked at all the
+    /// same, with whatever dimensions it has.
+    fn actuated(&mut self, joint: &str, law: Law<'_>, place: &Place) -> Option<GlobalMeasure> {
+        let m = self.only_coordinate(joint, &place.owner, &place.path);
+        if m.is_none() {
+            let plain = |value: Option<_>, key| value.map(|value| (key, value));
+            for (key, value) in [
+                plain(law.stiffness, "stiffness"),
+                plain(law.damping, "damping"),
+                law.free,
+                law.actuator,
+            ]
+            .into_iter()
+            .flatten()
+            {
+                let path = place.key(key);
+                let mut markers = SmallVec::new();
+                self.state_program(value, Quantity::Free, &place.owner, &path, &mut markers);
+            }
+        }
+        m
     }
 
     fn warn_powerless(&mut self, law: Law<'_>, place: &Place) {

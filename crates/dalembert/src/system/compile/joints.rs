@@ -103,6 +103,7 @@ impl Context<'_> {
         for (index, joint) in model.joints.iter().enumerate() {
             let place = Place::new("joint", index, "joint", &joint.name);
             let Some(built) = self.joint(&joint.kind, &place) else {
+                self.spoilt.insert(joint.name.clone());
                 continue;
             };
             self.joint_places.insert(
@@ -262,8 +263,9 @@ impl Context<'_> {
                 internal,
             } => {
                 let m = self.placement(placement, place, Direction::Optional)?;
-                let first = self.positive(&radii[0], Dim::LENGTH, "radius", place, "radii[0]")?;
-                let second = self.positive(&radii[1], Dim::LENGTH, "radius", place, "radii[1]")?;
+                let first = self.positive(&radii[0], Dim::LENGTH, "radius", place, "radii[0]");
+                let second = self.positive(&radii[1], Dim::LENGTH, "radius", place, "radii[1]");
+                let (first, second) = (first?, second?);
                 self.rolling_on_circle(m, first, if *internal { -second } else { second }, place)
             }
             JointKind::Cam {
@@ -322,6 +324,9 @@ impl Context<'_> {
             return Some(if side == Side::Left { 1.0 } else { -1.0 });
         }
         let eta = MeasureKind::AlongY.value(&self.pose(m[0]), &self.pose(m[1]));
+        if eta == 0.0 && self.stand_ins {
+            return None;
+        }
         if eta == 0.0 {
             self.report(
                 Diagnostic::error(
@@ -348,8 +353,8 @@ impl Context<'_> {
         place: &Place,
     ) -> Option<Built> {
         let origin = |context: &mut Self, name: &str, path: String| {
-            let body = context.place(name, &place.owner, &path)?;
-            Some(context.marker(&body, Vector2::zeros(), 0.0))
+            let body = context.place(name, &place.owner, &path);
+            context.marker(&body, Vector2::zeros(), 0.0)
         };
         let k = origin(self, carrier.unwrap_or(GROUND), place.key("carrier"));
         let i = origin(self, &bodies[0], place.key("bodies[0]"));
@@ -371,7 +376,7 @@ impl Context<'_> {
             None
         };
         let (a, b) = (radius(0), radius(1));
-        let (k, i, j, a, b) = (k?, i?, j?, a?, b?);
+        let (a, b) = (a?, b?);
         // (th_i - th_k) a_i = -+ (th_j - th_k) a_j (Shabana 3.103), divided by a_i: an angle.
         let ratio = if internal { -b / a } else { b / a };
         let markers: SmallVec<[usize; 4]> = smallvec![i, j, k];
@@ -436,6 +441,9 @@ impl Context<'_> {
         }
         let [a, b] = m.map(|k| self.pose(k));
         let d = distance.signum() * (b.point - a.point);
+        if d.norm() == 0.0 && self.stand_ins {
+            return None;
+        }
         if d.norm() == 0.0 {
             self.report(
                 Diagnostic::error(
@@ -467,10 +475,7 @@ impl Context<'_> {
     }
 
     fn profile_program(&mut self, value: &Value, place: &Place, key: &str) -> Option<Program> {
-        let text = match value {
-            Value::Number(x) => format!("{x:?}"),
-            Value::Text(text) => text.clone(),
-        };
+        let text = super::context::text_of(value);
         let scope = PhiScope {
             parameters: &self.parameters,
             functions: &self.functions,
@@ -483,6 +488,22 @@ impl Context<'_> {
             .ok()
     }
 
+    /// The profile of a cam.
+    pub fn profile(&mut self, profile: &CamProfile, place: &Place) -> Option<Profile> {
+        match profile {
+            CamProfile::Polar { radius } => self
+                .profile_program(radius, place, "radius")
+                .map(Profile::Polar),
+            CamProfile::Cartesian { x, y } => {
+                let (x, y) = (
+                    self.profile_program(x, place, "x"),
+                    self.profile_program(y, place, "y"),
+                );
+                x.zip(y).map(|(x, y)| Profile::Cartesian(x, y))
+            }
+        }
+    }
+
     fn cam(
         &mut self,
         m: [usize; 2],
@@ -491,31 +512,18 @@ impl Context<'_> {
         phi: Option<&Value>,
         place: &Place,
     ) -> Option<Built> {
-        let profile = match profile {
-            CamProfile::Polar { radius } => {
-                Profile::Polar(self.profile_program(radius, place, "radius")?)
-            }
-            CamProfile::Cartesian { x, y } => {
-                let (x, y) = (
-                    self.profile_program(x, place, "x"),
-                    self.profile_program(y, place, "y"),
-                );
-                Profile::Cartesian(x?, y?)
-            }
-        };
+        let profile = self.profile(profile, place);
         let follower = match follower {
-            CamFollower::KnifeEdge => Follower::KnifeEdge,
-            CamFollower::Flat => Follower::Flat,
-            CamFollower::Roller { radius } => Follower::Roller(self.positive(
-                radius,
-                Dim::LENGTH,
-                "radius",
-                place,
-                "follower.radius",
-            )?),
+            CamFollower::KnifeEdge => Some(Follower::KnifeEdge),
+            CamFollower::Flat => Some(Follower::Flat),
+            CamFollower::Roller { radius } => self
+                .positive(radius, Dim::LENGTH, "radius", place, "follower.radius")
+                .map(Follower::Roller),
         };
+        let phi = phi.map(|v| self.number(v, Dim::NONE, &place.owner, &place.key("phi")));
+        let (profile, follower) = (profile?, follower?);
         let start = match phi {
-            Some(value) => self.number(value, Dim::NONE, &place.owner, &place.key("phi"))?,
+            Some(value) => value?,
             None => self.nearest_phi(m, &profile, follower),
         };
         Some(Built {
@@ -561,7 +569,6 @@ impl Context<'_> {
                 &place.key(&format!("bodies[{k}]")),
             )
         });
-        let (a, b) = (a?, b?);
         if p.bodies[0] == p.bodies[1] {
             self.report(
                 Diagnostic::error(
@@ -583,10 +590,11 @@ impl Context<'_> {
                         &place.key(&format!("at[{k}]")),
                     )
                 });
-                [x?, y?]
+                [self.or_origin(x), self.or_origin(y)]
             }
             (None, Some(point)) => {
-                let point = self.vector(point, Dim::LENGTH, &place.owner, &place.key("point"))?;
+                let point = self.vector(point, Dim::LENGTH, &place.owner, &place.key("point"));
+                let point = self.or_origin(point);
                 [&a, &b].map(|body| rotate(-body.angle, &(point - body.origin)))
             }
             (given, _) => {

@@ -10,6 +10,7 @@ mod joints;
 mod mass;
 mod names;
 mod options;
+mod outlines;
 mod place;
 mod quantities;
 mod tables;

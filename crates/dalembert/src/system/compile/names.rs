@@ -8,7 +8,7 @@ use crate::signal::SignalKind;
 use dalembert_expr::{Dim, Function, Quantity, Resolved, Scope, UnknownName};
 use indexmap::IndexMap;
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 type Parameters = IndexMap<String, (f64, Quantity)>;
@@ -21,6 +21,21 @@ pub(super) struct Property {
     pub kind: SignalKind,
     pub measure: GlobalMeasure,
     pub dim: Dim,
+}
+
+/// What stands for a value that a mistake spoilt: something that is not known yet, in a slot that
+/// every scope has.
+const STAND_IN: Resolved = Resolved::Slot {
+    index: 0,
+    dim: Quantity::Free,
+};
+
+/// What a parameter means; one that a mistake spoilt is not a number.
+fn parameter((value, dim): (f64, Quantity)) -> Resolved {
+    if value.is_nan() {
+        return STAND_IN;
+    }
+    Resolved::Constant { value, dim }
 }
 
 /// Parameters and tables only.
@@ -44,9 +59,9 @@ fn unknown<'a>(path: &[&str], known: impl Iterator<Item = &'a str>, note: &str) 
 impl Scope for ConstantScope<'_> {
     fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
         if let [name] = path
-            && let Some(&(value, dim)) = self.parameters.get(*name)
+            && let Some(&known) = self.parameters.get(*name)
         {
-            return Ok(Resolved::Constant { value, dim });
+            return Ok(parameter(known));
         }
         Err(unknown(
             path,
@@ -65,6 +80,7 @@ pub(super) struct StateScope<'a> {
     parameters: &'a Parameters,
     functions: &'a Functions,
     properties: &'a IndexMap<String, Vec<Property>>,
+    spoilt: &'a HashSet<String>,
     used: RefCell<Vec<(SignalKind, GlobalMeasure)>>,
 }
 
@@ -81,12 +97,14 @@ impl<'a> StateScope<'a> {
         parameters: &'a Parameters,
         functions: &'a Functions,
         properties: &'a IndexMap<String, Vec<Property>>,
+        spoilt: &'a HashSet<String>,
     ) -> Self {
         let used = RefCell::new(vec![(SignalKind::Time, NO_MEASURE)]);
         Self {
             parameters,
             functions,
             properties,
+            spoilt,
             used,
         }
     }
@@ -115,7 +133,7 @@ impl Scope for StateScope<'_> {
                 dim: Quantity::Known(Dim::TIME),
             }),
             [name] => match self.parameters.get(*name) {
-                Some(&(value, dim)) => Ok(Resolved::Constant { value, dim }),
+                Some(&known) => Ok(parameter(known)),
                 None if self.properties.contains_key(*name) => Err(UnknownName {
                     suggestions: self.properties[*name]
                         .iter()
@@ -132,6 +150,7 @@ impl Scope for StateScope<'_> {
                     "the name is neither t, nor a parameter, nor element.quantity",
                 )),
             },
+            [name, _] if self.spoilt.contains(*name) => Ok(STAND_IN),
             [name, property] => match self.properties.get(*name) {
                 Some(list) => match list.iter().find(|p| p.name == *property) {
                     Some(p) => Ok(Resolved::Slot {
@@ -246,23 +265,35 @@ impl Context<'_> {
                 })
                 .map(|(k, _)| k.clone())
                 .collect();
-            if ready.is_empty() {
-                self.report_cycle(&pending);
-                return;
-            }
+            let ready = if ready.is_empty() {
+                // The members of a circle are then read one by one, for other mistakes in them.
+                let cycle = self.report_cycle(&pending);
+                for name in &cycle {
+                    self.stand_in_parameter(name.clone());
+                }
+                cycle
+            } else {
+                ready
+            };
             for name in ready {
                 let Some((value, path)) = pending.shift_remove(&name) else {
                     continue;
                 };
                 let owner = format!("parameter '{name}'");
-                if let Some((x, quantity)) = self.measured(&value, &owner, &path) {
-                    self.parameters.insert(name, (x, quantity));
-                } else {
-                    // A stand-in keeps the mistake from being reported again at every use.
-                    self.parameters.insert(name, (1.0, Quantity::Free));
+                match self.measured(&value, &owner, &path) {
+                    Some((x, quantity)) => {
+                        self.parameters.insert(name, (x, quantity));
+                    }
+                    None => self.stand_in_parameter(name),
                 }
             }
         }
+    }
+
+    /// A stand-in keeps a mistake from being reported again at every use.
+    fn stand_in_parameter(&mut self, name: String) {
+        self.stand_ins = true;
+        self.parameters.insert(name, (f64::NAN, Quantity::Free));
     }
 
     /// A constant of any dimension, and what is known of its dimension. None after a mistake,
@@ -291,21 +322,15 @@ impl Context<'_> {
         }
     }
 
-    fn report_cycle(&mut self, pending: &IndexMap<String, (Value, String)>) {
-        // Follow the dependences from the first open parameter until one repeats.
-        let Some(first) = pending.keys().next() else {
-            return;
-        };
-        let mut chain = vec![first.clone()];
-        loop {
-            let Some((value, _)) = chain.last().and_then(|last| pending.get(last)) else {
-                return;
-            };
-            let Some(next) = dependencies(value)
-                .into_iter()
-                .find(|d| pending.contains_key(d))
-            else {
-                return;
+    /// Reports a circle of parameters that wait for each other; returns its members.
+    fn report_cycle(&mut self, pending: &IndexMap<String, (Value, String)>) -> Vec<String> {
+        // Follow the dependences from the first open parameter until one repeats. Every open one
+        // waits for an open one, or it would be ready.
+        let mut chain: Vec<String> = pending.keys().take(1).cloned().collect();
+        while let Some((value, _)) = chain.last().and_then(|last| pending.get(last)) {
+            let open = |d: &String| pending.contains_key(d);
+            let Some(next) = dependencies(value).into_iter().find(open) else {
+                break;
             };
             if let Some(start) = chain.iter().position(|n| *n == next) {
                 let mut cycle = chain[start..].to_vec();
@@ -322,10 +347,12 @@ impl Context<'_> {
                     )
                     .help("give one of them as a number"),
                 );
-                return;
+                cycle.pop();
+                return cycle;
             }
             chain.push(next);
         }
+        pending.keys().cloned().collect()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Interpolation, Table, Value};
-use dalembert_expr::{Quantity, Spline, Unit};
+use dalembert_expr::{Function, Quantity, Spline, Unit};
 use std::sync::Arc;
 
 /// The arguments or the values of a table, in SI.
@@ -27,9 +27,14 @@ impl Context<'_> {
                         .help("choose another name"),
                 );
             }
-            if let Some(spline) = self.spline(table, &owner, &path) {
-                self.functions.insert(table.name.clone(), Arc::new(spline));
-            }
+            let function: Arc<dyn Function> = match self.spline(table, &owner, &path) {
+                Some(spline) => Arc::new(spline),
+                None => {
+                    self.stand_ins = true;
+                    Arc::new(Spoilt)
+                }
+            };
+            self.functions.insert(table.name.clone(), function);
         }
     }
 
@@ -148,5 +153,19 @@ impl Context<'_> {
                 None
             }
         }
+    }
+}
+
+/// Stands in for a table with mistakes, so that they are not reported again at every use.
+#[derive(Debug)]
+struct Spoilt;
+
+impl Function for Spoilt {
+    fn jet(&self, _x: f64) -> [f64; 4] {
+        [f64::NAN; 4]
+    }
+
+    fn dims(&self) -> (Quantity, Quantity) {
+        (Quantity::Free, Quantity::Free)
     }
 }
