@@ -7,6 +7,8 @@ cargo fmt --all --check
 cargo clippy --workspace --all-targets -- -D warnings
 RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --document-private-items
 cargo test --workspace
+cargo build
+bash scripts/check-docs.sh target/debug/dalembert
 
 if command -v npm >/dev/null; then
     (cd viewer && npm ci --no-audit --no-fund && npm test)

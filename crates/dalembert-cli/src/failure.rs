@@ -41,13 +41,13 @@ impl Failure {
     pub fn tell(&self, json: bool) {
         match self {
             Self::Model { diagnostics, .. } if json => {
-                println!(
+                say!(
                     "{:#}",
                     json!({ "completed": false, "diagnostics": diagnostics })
                 );
             }
             Self::Analysis(_) | Self::Usage(_) | Self::File { .. } if json => {
-                println!(
+                say!(
                     "{:#}",
                     json!({ "completed": false, "error": self.to_string() })
                 );

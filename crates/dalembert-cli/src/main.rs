@@ -6,6 +6,8 @@
 //! of mistakes with their places) or `"error"` (a sentence).
 #![forbid(unsafe_code)]
 
+#[macro_use]
+mod say;
 mod arguments;
 mod commands;
 mod failure;

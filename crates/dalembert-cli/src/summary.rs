@@ -142,7 +142,7 @@ pub fn report(
     }
     let written = crate::output::write_all(args, loaded, &results)?;
     if args.model.json {
-        println!(
+        say!(
             "{:#}",
             loaded.with_warnings(serde_json::json!({
                 "model": results.model,
@@ -159,7 +159,7 @@ pub fn report(
     } else {
         let time = results.channel("time").map_or(&[][..], |c| &c.values[..]);
         if let (Some(first), Some(last)) = (time.first(), time.last()) {
-            println!(
+            say!(
                 "{}: {}, {} instants from {} s to {} s",
                 results.model,
                 results.analysis,
@@ -168,9 +168,9 @@ pub fn report(
                 number(*last)
             );
         }
-        print!("{}", table(&results));
+        say_on!("{}", table(&results));
         for (channel, worst) in errors(&results) {
-            println!(
+            say!(
                 "  largest |{}|: {} {}",
                 channel.name,
                 number(worst),
@@ -182,12 +182,12 @@ pub fn report(
             .iter()
             .map(|(k, v)| format!("{k} {}", number(*v)))
             .collect();
-        println!("  {}", statistics.join(", "));
+        say!("  {}", statistics.join(", "));
         for note in &results.notes {
-            println!("  note: {note}");
+            say!("  note: {note}");
         }
         if !written.is_empty() {
-            println!("{}", files(&written));
+            say!("{}", files(&written));
         }
     }
     match stopped {

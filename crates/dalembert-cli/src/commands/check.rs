@@ -39,7 +39,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let loops = network.loops();
     let notes = summary::assembly(&assembly);
     if args.model.json {
-        println!(
+        say!(
             "{:#}",
             loaded.with_warnings(serde_json::json!({
                 "mobility": report,
@@ -50,31 +50,31 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         );
         return Ok(());
     }
-    print!("{report}");
+    say_on!("{report}");
     for (k, l) in loops.iter().enumerate() {
-        println!("  loop {}: {}", k + 1, l.joints.join(" - "));
+        say!("  loop {}: {}", k + 1, l.joints.join(" - "));
     }
     if let Some(sweep) = &sweep {
         print_sweep(sweep);
     }
     for note in notes {
-        println!("  note: {note}");
+        say!("  note: {note}");
     }
     Ok(())
 }
 
 fn print_sweep(sweep: &DriverSweep) {
     for pose in &sweep.poses {
-        println!("  {pose}");
+        say!("  {pose}");
     }
     if sweep.poses.is_empty() && sweep.stopped.is_none() {
-        println!(
+        say!(
             "  the drivers hold the machine in every pose until t = {} s",
             summary::number(sweep.reached)
         );
     }
     if let Some(reason) = &sweep.stopped {
-        println!(
+        say!(
             "  the sweep of the drivers ended at t = {} s: {reason}",
             summary::number(sweep.reached)
         );

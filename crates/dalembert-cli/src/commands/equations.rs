@@ -43,9 +43,9 @@ pub fn run(args: &EquationsArgs) -> Result<(), Failure> {
     match &args.out {
         Some(path) => {
             write_text(path, &text)?;
-            println!("written: {}", path.display());
+            say!("written: {}", path.display());
         }
-        None => print!("{text}"),
+        None => say_on!("{text}"),
     }
     Ok(())
 }

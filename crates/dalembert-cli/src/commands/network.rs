@@ -17,12 +17,12 @@ pub fn run(args: &NetworkArgs) -> Result<(), Failure> {
         .map_err(|e| Failure::Usage(e.to_string()))?;
     if let Some(path) = &args.dot {
         write_text(path, &network.to_dot(trees.first()))?;
-        println!("written: {}", path.display());
+        say!("written: {}", path.display());
         return Ok(());
     }
     if args.model.json {
         let sizes: Vec<_> = trees.iter().map(|t| t.size(&network)).collect();
-        println!(
+        say!(
             "{:#}",
             loaded.with_warnings(serde_json::json!({
                 "network": network,
@@ -34,9 +34,9 @@ pub fn run(args: &NetworkArgs) -> Result<(), Failure> {
         );
         return Ok(());
     }
-    print!("{}", network.to_text());
+    say_on!("{}", network.to_text());
     for tree in &trees {
-        print!("\n{}", tree.to_text(&network));
+        say_on!("\n{}", tree.to_text(&network));
     }
     Ok(())
 }

@@ -7,14 +7,14 @@ use dalembert_io::model_file::templates;
 /// Prints a template, or the list of templates.
 pub fn run(args: &NewArgs) -> Result<(), Failure> {
     let Some(name) = &args.template else {
-        println!("Templates (dalembert new NAME > my.toml):");
+        say!("Templates (dalembert new NAME > my.toml):");
         for t in templates() {
-            println!("  {:16} {}", t.name, t.description);
+            say!("  {:16} {}", t.name, t.description);
         }
         return Ok(());
     };
     if let Some(t) = templates().iter().find(|t| t.name == name) {
-        print!("{}", t.text);
+        say_on!("{}", t.text);
         return Ok(());
     }
     let names: Vec<&str> = templates().iter().map(|t| t.name).collect();

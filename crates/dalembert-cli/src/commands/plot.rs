@@ -53,6 +53,6 @@ pub fn run(args: &PlotArgs) -> Result<(), Failure> {
         .clone()
         .unwrap_or_else(|| beside(&args.results, ".svg"));
     write_text(&path, &svg)?;
-    println!("written: {}", path.display());
+    say!("written: {}", path.display());
     Ok(())
 }

@@ -4,6 +4,6 @@ use crate::failure::Failure;
 
 /// Prints the JSON Schema of model files.
 pub fn run() -> Result<(), Failure> {
-    println!("{:#}", dalembert_io::model_file::schema());
+    say!("{:#}", dalembert_io::model_file::schema());
     Ok(())
 }

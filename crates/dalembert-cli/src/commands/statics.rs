@@ -25,7 +25,7 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
         let written = output::write_all(&args.run, &loaded, &loads.results)?;
         print_loads(args, &loaded, &loads);
         if !written.is_empty() && !args.run.model.json {
-            println!("{}", summary::files(&written));
+            say!("{}", summary::files(&written));
         }
         return Ok(());
     }
@@ -40,11 +40,11 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
     let report = analysis.run(system)?;
     let written = output::write_all(&args.run, &loaded, &report.results)?;
     if args.run.model.json {
-        println!("{:#}", loaded.with_warnings(serde_json::json!(report)));
+        say!("{:#}", loaded.with_warnings(serde_json::json!(report)));
     } else {
         print_report(&report, &system.coordinate_names());
         if !written.is_empty() {
-            println!("{}", summary::files(&written));
+            say!("{}", summary::files(&written));
         }
     }
     Ok(())
@@ -52,17 +52,17 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
 
 fn print_loads(args: &StaticsArgs, loaded: &Loaded, loads: &HoldingLoads) {
     if args.run.model.json {
-        println!("{:#}", loaded.with_warnings(serde_json::json!(loads)));
+        say!("{:#}", loaded.with_warnings(serde_json::json!(loads)));
         return;
     }
-    println!(
+    say!(
         "{}: loads that hold the machine in its pose",
         loads.results.model
     );
     for load in &loads.loads {
         let (Unknown::Effort(name) | Unknown::Force(name)) = &load.unknown;
         let unique = if load.unique { "" } else { " (not unique)" };
-        println!(
+        say!(
             "  {name}: {} {}{unique}",
             summary::number(load.value),
             load.unit
@@ -71,7 +71,7 @@ fn print_loads(args: &StaticsArgs, loaded: &Loaded, loads: &HoldingLoads) {
 }
 
 fn print_report(report: &StaticsReport, names: &[String]) {
-    println!(
+    say!(
         "{}: {} equilibri{} found",
         report.results.model,
         report.equilibria.len(),
@@ -87,14 +87,16 @@ fn print_report(report: &StaticsReport, names: &[String]) {
             Stability::Neutral => "neutral",
             Stability::Unstable => "unstable",
         };
-        println!(
+        say!(
             "  {}: {stability}, residual {}, {} iterations",
             k + 1,
             summary::number(e.residual),
             e.iterations
         );
-        for motion in &e.motions {
-            println!("     {motion}");
+        let mut motions = e.motions.clone();
+        motions.dedup();
+        for motion in &motions {
+            say!("     {motion}");
         }
         if k < 6 {
             let rounded = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
@@ -104,10 +106,10 @@ fn print_report(report: &StaticsReport, names: &[String]) {
                 .take(24)
                 .map(|(n, x)| format!("{n} {}", summary::number(rounded(*x))))
                 .collect();
-            println!("     centre of mass: {}", pose.join(", "));
+            say!("     centre of mass: {}", pose.join(", "));
         }
     }
     for note in &report.results.notes {
-        println!("  note: {note}");
+        say!("  note: {note}");
     }
 }

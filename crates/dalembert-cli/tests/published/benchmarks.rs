@@ -81,7 +81,6 @@ fn iftomm_a01_pendulum() {
 
 /// A01 over its whole 2000 s.
 #[test]
-#[ignore = "takes half a minute without optimization"]
 fn iftomm_a01_pendulum_2000_s() {
     let options = "--end 2000; --step 1000";
     published("simulate", "point-pendulum.toml", options, |run| {

@@ -151,7 +151,8 @@ impl Checker<'_> {
         match function.rule {
             Rule::Plain => {
                 self.takes(id, name, Dim::NONE.into(), arguments[0])?;
-                self.quantity(arguments[0])
+                // A pure number, like a literal: `cos(35 deg)` may be a coordinate in metres.
+                Some(Quantity::Free)
             }
             Rule::Same => self.same(id, "mixes", arguments),
             Rule::Ratio => self.same(id, "mixes", arguments).map(plain),

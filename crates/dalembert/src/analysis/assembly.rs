@@ -19,7 +19,7 @@ pub struct Assembly {
 pub struct Moved {
     /// Body.
     pub body: String,
-    /// Displacement of its frame's origin [m].
+    /// Displacement of its centre of mass [m].
     pub distance: f64,
     /// Turn [rad].
     pub turn: f64,
@@ -32,7 +32,7 @@ pub struct AssemblyReport {
     pub iterations: usize,
     /// Bodies that were moved by more than rounding, the farthest first.
     pub moved: Vec<Moved>,
-    /// Bodies whose given velocities were changed: velocity of the origin [m/s], angular velocity [rad/s].
+    /// Bodies whose given velocities were changed: velocity of the centre of mass [m/s], angular velocity [rad/s].
     pub velocities_changed: Vec<Moved>,
     /// Initial rates that could not all be met: what is left over, in words.
     pub velocity_conflict: Option<String>,

@@ -58,6 +58,8 @@ pub(super) struct Context<'m> {
     pub gravity: Vector2<f64>,
     pub places: IndexMap<String, BodyPlace>,
     pub joint_places: IndexMap<String, JointPlace>,
+    /// Distances of the spring-dampers, by name.
+    pub spring_measures: HashMap<String, GlobalMeasure>,
     pub properties: IndexMap<String, Vec<Property>>,
     /// Elements that could not be compiled; expressions that use them are not to blame.
     pub spoilt: HashSet<String>,
@@ -96,6 +98,7 @@ impl<'m> Context<'m> {
             gravity: Vector2::new(0.0, -9.81),
             places,
             joint_places: IndexMap::new(),
+            spring_measures: HashMap::new(),
             properties: IndexMap::new(),
             spoilt: HashSet::new(),
             bodies: Vec::new(),

@@ -52,6 +52,40 @@ impl Context<'_> {
         }
     }
 
+    /// Places the spring-dampers, so that every expression may use their lengths and rates.
+    pub fn springs(&mut self) {
+        let model = self.model;
+        for (index, force) in model.forces.iter().enumerate() {
+            let ForceKind::SpringDamper { bodies, at, .. } = &force.kind else {
+                continue;
+            };
+            let place = Place::new("force", index, "force", &force.name);
+            let [first, second] = self.two_points(bodies, at, &place.owner, &place.path);
+            let m = GlobalMeasure {
+                kind: MeasureKind::Distance,
+                first,
+                second,
+            };
+            let Some(measure) = self.nonzero_distance(m, &place.owner, &place.path) else {
+                continue;
+            };
+            self.spring_measures.insert(force.name.clone(), measure);
+            let of = |name: &str, kind, dim| Property {
+                name: name.to_owned(),
+                kind,
+                measure,
+                dim,
+            };
+            self.properties.insert(
+                force.name.clone(),
+                vec![
+                    of("length", SignalKind::Value, Dim::LENGTH),
+                    of("rate", SignalKind::Rate, Dim::VELOCITY),
+                ],
+            );
+        }
+    }
+
     fn force(&mut self, name: &str, kind: &ForceKind, place: &Place) -> Option<Built> {
         match kind {
             ForceKind::Force {
@@ -120,33 +154,13 @@ impl Context<'_> {
                 Some(self.measure_force("actuator", m, law, 0.0, true, place))
             }
             ForceKind::SpringDamper {
-                bodies,
-                at,
                 stiffness,
                 damping,
                 free_length,
                 force,
+                ..
             } => {
-                let [first, second] = self.two_points(bodies, at, &place.owner, &place.path);
-                let m = GlobalMeasure {
-                    kind: MeasureKind::Distance,
-                    first,
-                    second,
-                };
-                let m = self.nonzero_distance(m, &place.owner, &place.path)?;
-                let of = |name: &str, kind, dim| Property {
-                    name: name.to_owned(),
-                    kind,
-                    measure: m,
-                    dim,
-                };
-                self.properties.insert(
-                    name.to_owned(),
-                    vec![
-                        of("length", SignalKind::Value, Dim::LENGTH),
-                        of("rate", SignalKind::Rate, Dim::VELOCITY),
-                    ],
-                );
+                let m = *self.spring_measures.get(name)?;
                 let law = Law {
                     stiffness: stiffness.as_ref(),
                     damping: damping.as_ref(),

@@ -63,6 +63,7 @@ pub fn compile(model: &Model, overrides: &[(String, Value)]) -> Result<Compiled,
     context.bodies();
     context.traces();
     context.joints();
+    context.springs();
     context.constraints();
     context.drivers();
     context.forces();

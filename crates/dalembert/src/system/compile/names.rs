@@ -3,7 +3,7 @@
 use super::context::{Context, GlobalMeasure};
 use crate::diagnostic::Diagnostic;
 use crate::joint::MeasureKind;
-use crate::model::{GROUND, Value};
+use crate::model::{GROUND, JointKind, Value};
 use crate::signal::SignalKind;
 use dalembert_expr::{Dim, Function, Quantity, Resolved, Scope, UnknownName};
 use indexmap::IndexMap;
@@ -208,7 +208,7 @@ impl Context<'_> {
     pub fn check_name(&mut self, name: &str, owner: &str, path: &str) {
         let taken = match name {
             "t" => Some("is the time"),
-            "phi" => Some("is the angle of a cam's profile"),
+            "phi" if self.has_cam() => Some("is the angle of a cam's profile"),
             GROUND => Some("is the fixed body that always exists"),
             _ if dalembert_expr::is_reserved(name) => {
                 Some("belongs to the language of expressions")
@@ -225,6 +225,11 @@ impl Context<'_> {
             ("bad-name", format!("{owner}: {rule}"))
         };
         self.report(Diagnostic::error(code, path, message).help("choose another name"));
+    }
+
+    fn has_cam(&self) -> bool {
+        let is_cam = |j: &crate::model::Joint| matches!(j.kind, JointKind::Cam { .. });
+        self.model.joints.iter().any(is_cam)
     }
 
     /// Evaluates the parameters in the order of their dependence.
