@@ -9,13 +9,13 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub enum Failure {
     /// The analysis failed.
-    #[error("error: {0}")]
+    #[error("{0}")]
     Analysis(#[from] AnalysisError),
     /// The analysis stopped early; what it has is written, with the reason.
-    #[error("error: {0}")]
+    #[error("{0}")]
     Stopped(AnalysisError),
     /// The command line asks for something that does not exist.
-    #[error("error: {0}")]
+    #[error("{0}")]
     Usage(String),
     /// The model has mistakes.
     #[error("{text}")]
@@ -26,7 +26,7 @@ pub enum Failure {
         diagnostics: Value,
     },
     /// A file cannot be read or written.
-    #[error("error: {path}: {cause}")]
+    #[error("{path}: {cause}")]
     File {
         /// File.
         path: PathBuf,
@@ -52,7 +52,8 @@ impl Failure {
                     json!({ "completed": false, "error": self.to_string() })
                 );
             }
-            _ => eprintln!("{}", self.to_string().trim_end()),
+            Self::Model { text, .. } => eprintln!("{}", text.trim_end()),
+            _ => eprintln!("error: {self}"),
         }
     }
 
