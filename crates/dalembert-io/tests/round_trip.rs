@@ -128,7 +128,7 @@ fn difficult_texts_and_numbers_survive() {
     for (k, number) in numbers.into_iter().enumerate() {
         model.parameters.insert(format!("p{k}"), number.into());
     }
-    model.parameters.insert("größe".to_owned(), "2*p1".into());
+    model.parameters.insert("groesse".to_owned(), "2*p1".into());
     // The order of the parameters is kept, not sorted.
     model.parameters.insert("a".to_owned(), 1.0.into());
     let written = write_model(&model);
