@@ -19,7 +19,7 @@ pub(super) fn read(table: &mut TableReader<'_>) {
     }
     table.optional("at", |item| {
         let is_list = |value: &DeValue<'_>| matches!(value, DeValue::Array(_));
-        let first = item.value.as_array().and_then(|list| list.get(0));
+        let first = item.value.as_array().and_then(|list| list.first());
         if first.is_some_and(|first| is_list(first.get_ref())) {
             item.pair(Item::point).map(drop)
         } else {
