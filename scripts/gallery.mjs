@@ -113,7 +113,7 @@ function run(...words) {
 
 function picture(name) {
   const page = join(work, `${name}.html`);
-  run("view", join(root, "examples", `${name}.toml`), "--page", page);
+  run("view", join(root, "examples", `${name}.toml`), "--html", page);
   const [, data] = readFileSync(page, "utf8").match(/<script id="dalembert-data" type="application\/json">(.*?)<\/script>/s);
   const animation = drawing.readAnimation(data);
   const figure = new drawing.Figure(animation);
