@@ -80,6 +80,7 @@ impl Dynamics {
         y[nq..nq + nv].copy_from_slice(&state.v);
         let start = *self.instants.first().unwrap_or(&state.t);
         motion.evaluate(start, &y)?;
+        running.update_markers(&state.q, &state.v, &mut motion.ws);
         let start_energy = motion.energy(start, &y);
         let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
         let mut recorder = Recorder::new(true);
@@ -127,6 +128,7 @@ impl Dynamics {
             state.t = t;
             state.q.copy_from_slice(&y[..nq]);
             state.v.copy_from_slice(&y[nq..nq + nv]);
+            running.update_markers(&state.q, &state.v, &mut motion.ws);
             let extra = Extra {
                 work: y[nq + nv],
                 start_energy: Some(start_energy),
@@ -201,7 +203,7 @@ impl<'a> Motion<'a> {
     pub fn evaluate(&mut self, t: f64, y: &[f64]) -> Result<(), AnalysisError> {
         let (q, v) = self.split(y);
         let (system, ws) = (self.system, &mut self.ws);
-        system.update_markers(q, v, ws);
+        system.update_active_markers(q, v, ws);
         system.evaluate_constraints(t, ws);
         system.evaluate_forces(t, ws);
         ws.rhs.copy_from_slice(&ws.qd);
@@ -245,7 +247,7 @@ impl<'a> Motion<'a> {
         AnalysisError::NotFinite { element, time: t }
     }
 
-    /// Kinetic and potential energy at the state of the workspace.
+    /// Kinetic and potential energy at the state of the workspace, which must hold all markers.
     pub fn energy(&self, t: f64, y: &[f64]) -> f64 {
         let (_, v) = self.split(y);
         let (kinetic, gravity) = energies(self.system, &self.ws, v);
@@ -316,7 +318,7 @@ impl Ode for Motion<'_> {
         let (nq, nv) = (system.nq(), system.nv());
         let (q, v) = y[..nq + nv].split_at_mut(nq);
         let ws = &mut self.ws;
-        system.update_markers(q, v, ws);
+        system.update_active_markers(q, v, ws);
         system.evaluate_constraints(t, ws);
         let (mut violation, _) = system.violation(ws);
         self.drift = violation;
@@ -344,7 +346,7 @@ impl Ode for Motion<'_> {
             for (x, d) in q.iter_mut().zip(&ws.a) {
                 *x += d;
             }
-            system.update_markers(q, v, ws);
+            system.update_active_markers(q, v, ws);
             system.evaluate_constraints(t, ws);
             violation = system.violation(ws).0;
             iterations += 1;

@@ -54,6 +54,8 @@ pub struct System<S: Space> {
     /// Number of auxiliary coordinates.
     pub aux: usize,
     row_refs: Vec<RowRef>,
+    /// Markers that elements and forces see.
+    active: Vec<usize>,
     max_rows: usize,
     max_markers: usize,
     max_aux: usize,
@@ -92,6 +94,7 @@ impl<S: Space> System<S> {
             rows: 0,
             aux: 0,
             row_refs: Vec::new(),
+            active: Vec::new(),
             max_rows: 0,
             max_markers: 0,
             max_aux: 0,
@@ -134,6 +137,14 @@ impl<S: Space> System<S> {
         }
         self.rows = rows;
         self.aux = aux;
+        let of_elements = self.elements.iter().flat_map(|e| &e.markers);
+        let of_forces = self.forces.iter().flat_map(|f| &f.markers);
+        let mut active: Vec<usize> = of_elements.chain(of_forces).copied().collect();
+        // In the order of bodies, so that the poses are read one after the other.
+        active.sort_by_key(|&m| (self.markers[m].body, m));
+        active.dedup();
+        active.retain(|&m| self.markers[m].body.is_some());
+        self.active = active;
     }
 
     /// The same machine with the rows of another choice of elements. Elements with auxiliary
@@ -243,14 +254,32 @@ impl<S: Space> System<S> {
 
     /// Poses and velocities of all markers.
     pub fn update_markers(&self, q: &[f64], v: &[f64], ws: &mut Workspace<S>) {
+        self.update_poses(q, v, ws);
+        for m in 0..self.markers.len() {
+            self.update_marker(m, v, ws);
+        }
+    }
+
+    /// Poses and velocities of the markers that elements and forces see: all that an evaluation of
+    /// the equations of motion needs.
+    pub fn update_active_markers(&self, q: &[f64], v: &[f64], ws: &mut Workspace<S>) {
+        self.update_poses(q, v, ws);
+        for &m in &self.active {
+            self.update_marker(m, v, ws);
+        }
+    }
+
+    fn update_marker(&self, m: usize, v: &[f64], ws: &mut Workspace<S>) {
+        let data = &self.markers[m];
+        // Markers on the ground stay as the workspace was made.
+        if let Some(b) = data.body {
+            ws.markers[m] = S::marker(&data.frame, &ws.poses[b], &v[b * S::NV..(b + 1) * S::NV]);
+        }
+    }
+
+    fn update_poses(&self, q: &[f64], v: &[f64], ws: &mut Workspace<S>) {
         for (pose, q) in ws.poses.iter_mut().zip(q.chunks_exact(S::NQ)) {
             *pose = S::pose(q);
-        }
-        for (data, marker) in self.markers.iter().zip(&mut ws.markers) {
-            // Markers on the ground stay as the workspace was made.
-            if let Some(b) = data.body {
-                *marker = S::marker(&data.frame, &ws.poses[b], &v[b * S::NV..(b + 1) * S::NV]);
-            }
         }
         let (nq, nv) = (self.bodies.len() * S::NQ, self.body_nv());
         ws.s.copy_from_slice(&q[nq..]);
