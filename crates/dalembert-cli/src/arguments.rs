@@ -88,13 +88,13 @@ pub struct RunArgs {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub start: Option<String>,
     /// End time [s]
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub end: Option<String>,
     /// Time between results [s]
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub step: Option<String>,
     /// Relative error tolerance of the integration
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
     /// Channels to write, like "crank.*"; default as the model says, or all; can be repeated
     #[arg(long, value_name = "PATTERN")]

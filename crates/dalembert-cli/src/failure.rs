@@ -26,13 +26,23 @@ pub enum Failure {
         diagnostics: Value,
     },
     /// A file cannot be read or written.
-    #[error("{path}: {cause}")]
+    #[error("{}", file_message(path, cause))]
     File {
         /// File.
         path: PathBuf,
         /// Cause.
         cause: String,
     },
+}
+
+/// "path: cause"; causes that name the file themselves stand alone.
+fn file_message(path: &std::path::Path, cause: &str) -> String {
+    let name = path.display().to_string();
+    if cause.starts_with(&name) {
+        cause.to_owned()
+    } else {
+        format!("{name}: {cause}")
+    }
 }
 
 impl Failure {

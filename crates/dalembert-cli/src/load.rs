@@ -2,6 +2,7 @@
 
 use crate::arguments::{ModelArgs, RunArgs};
 use crate::failure::Failure;
+use dalembert::diagnostic::Diagnostic;
 use dalembert::model::{Model, Value};
 use dalembert::system::compile::{Compiled, compile};
 use dalembert_io::model_file::{Parsed, parse_model, render, to_json};
@@ -32,6 +33,15 @@ impl Loaded {
 
 /// Reads and compiles a model file; prints warnings for people.
 pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Failure> {
+    load_given(args, change, &[])
+}
+
+/// Like `load`; `given` says which places of the model come from options of the command line.
+fn load_given(
+    args: &ModelArgs,
+    change: impl Fn(&mut Model),
+    given: &[(&str, &str)],
+) -> Result<Loaded, Failure> {
     let text = std::fs::read_to_string(&args.model).map_err(|e| Failure::File {
         path: args.model.clone(),
         cause: format!("cannot be read: {e}"),
@@ -60,6 +70,9 @@ pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Fai
             Some(compiled)
         }
         Err(errors) => {
+            if let Some(failure) = of_options(&errors.0, &overrides, given) {
+                return Err(failure);
+            }
             parsed.add(errors.0);
             None
         }
@@ -86,7 +99,46 @@ pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
     if args.html.is_some() {
         crate::page::check()?;
     }
-    load(&args.model, apply(args))
+    let options = [
+        (&args.start, "analysis.start", "--start"),
+        (&args.end, "analysis.end", "--end"),
+        (&args.step, "analysis.step", "--step"),
+        (&args.tolerance, "analysis.tolerance", "--tolerance"),
+    ];
+    let given: Vec<(&str, &str)> = options
+        .iter()
+        .filter(|(value, ..)| value.is_some())
+        .map(|&(_, path, option)| (path, option))
+        .collect();
+    load_given(&args.model, apply(args), &given)
+}
+
+/// Mistakes of values that stand on the command line, not in the file.
+fn of_options(
+    errors: &[Diagnostic],
+    overrides: &[(String, Value)],
+    given: &[(&str, &str)],
+) -> Option<Failure> {
+    let lines: Vec<String> = errors
+        .iter()
+        .filter_map(|d| {
+            let option = given.iter().find(|(path, _)| d.path == *path);
+            let set = overrides
+                .iter()
+                .find(|(name, _)| d.path == format!("parameters.{name}"));
+            let origin = match (option, set) {
+                (Some((_, option)), _) => (*option).to_owned(),
+                (None, Some((name, _))) => format!("--set {name}"),
+                (None, None) => return None,
+            };
+            let help = d
+                .help
+                .as_ref()
+                .map_or_else(String::new, |h| format!("; {h}"));
+            Some(format!("{origin}: {}{help}", d.message))
+        })
+        .collect();
+    (!lines.is_empty()).then(|| Failure::Usage(lines.join("\n")))
 }
 
 fn overrides(set: &[String]) -> Result<Vec<(String, Value)>, Failure> {

@@ -183,7 +183,10 @@ pub fn report(
             .map(|(k, v)| format!("{k} {}", number(*v)))
             .collect();
         say!("  {}", statistics.join(", "));
-        for note in &results.notes {
+        // Why the run stopped is told at the end, as its error.
+        let reason = stopped.as_ref().map(ToString::to_string);
+        let told = results.notes.iter().filter(|n| Some(*n) != reason.as_ref());
+        for note in told {
             say!("  note: {note}");
         }
         if !written.is_empty() {

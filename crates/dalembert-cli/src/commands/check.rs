@@ -8,7 +8,7 @@ use dalembert::analysis::{
     AnalysisError, Assembly, DriverSweep, Mobility, SweepOptions, conflicts, driver_singularities,
 };
 use dalembert::network::{Network, TerminalGraph};
-use dalembert::system::Role;
+use dalembert::system::{Role, State};
 
 /// Validates the model, assembles it and prints its mobility.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
@@ -30,7 +30,11 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         Some(driver_singularities(
             system,
             &state,
-            &SweepOptions::until(loaded.compiled.options.end),
+            &SweepOptions {
+                // A hundred poses a turn of the fastest body, within reason.
+                steps: turns(&state, loaded.compiled.options.end).clamp(400, 20_000),
+                ..SweepOptions::until(loaded.compiled.options.end)
+            },
         )?)
     } else {
         None
@@ -61,6 +65,15 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         say!("  note: {note}");
     }
     Ok(())
+}
+
+/// A hundred times the turns of the fastest body until the end, at its speed at the start.
+fn turns(state: &State, end: f64) -> usize {
+    let omega = state
+        .v
+        .chunks_exact(3)
+        .fold(0.0_f64, |a, v| a.max(v[2].abs()));
+    (100.0 * omega * (end - state.t) / std::f64::consts::TAU) as usize
 }
 
 fn print_sweep(sweep: &DriverSweep) {

@@ -162,7 +162,6 @@ pub struct Motion<'a> {
     /// The workspace of the last evaluation.
     pub ws: Workspace<Planar>,
     baumgarte: Option<[f64; 2]>,
-    energy_scale: f64,
     speed: [f64; 2],
     /// Violation found by the last projection, before it.
     pub drift: f64,
@@ -181,7 +180,6 @@ impl<'a> Motion<'a> {
             ws: Workspace::new(system),
             baumgarte: (options.stabilization == Stabilization::Baumgarte)
                 .then_some(options.baumgarte),
-            energy_scale: 0.0,
             speed: [0.0; 2],
             drift: 0.0,
             projections: 0,
@@ -286,15 +284,10 @@ impl Ode for Motion<'_> {
         let (q, v) = self.split(y);
         // Speeds are measured against the fastest of their kind so far; a machine at rest against
         // one size a second.
-        let mut kinetic = 0.0;
         for b in 0..bodies {
             self.speed[0] = self.speed[0].max(v[3 * b].abs()).max(v[3 * b + 1].abs());
             self.speed[1] = self.speed[1].max(v[3 * b + 2].abs());
-            let m = &self.system.mass[9 * b..];
-            kinetic += 0.5
-                * (m[0] * (v[3 * b].powi(2) + v[3 * b + 1].powi(2)) + m[8] * v[3 * b + 2].powi(2));
         }
-        self.energy_scale = self.energy_scale.max(kinetic);
         for i in 0..nq {
             let angle = i >= 3 * bodies || i % 3 == 2;
             scales[i] = if angle { 1.0 } else { size + q[i].abs() };
@@ -322,11 +315,12 @@ impl Ode for Motion<'_> {
         system.evaluate_constraints(t, ws);
         let (mut violation, _) = system.violation(ws);
         self.drift = violation;
+        let tolerance = self.tolerance.max(system.rounding(q));
         let mut iterations = 0;
-        while violation > self.tolerance {
+        while violation > tolerance {
             if iterations == 8 || !violation.is_finite() {
                 // Rounding of a large machine ends the improvement; anything larger is a failure.
-                if violation < 1e-10 {
+                if violation < tolerance.max(1e-10) {
                     break;
                 }
                 let (_, row) = system.violation(ws);

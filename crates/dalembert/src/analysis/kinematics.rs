@@ -35,6 +35,8 @@ pub struct KinematicsRun {
 const DENSE: usize = 300;
 /// Ratio of pivots of C_q below which a pose is singular to working precision.
 const SINGULAR: f64 = 1e-9;
+/// Pivot ratio below which an over-determined machine is watched by other rows.
+const RECHOOSE: f64 = 1e-3;
 /// How often an interval between two instants may be halved.
 const HALVINGS: usize = 12;
 
@@ -265,7 +267,17 @@ impl<'a> Runner<'a> {
     fn start(&mut self, state: &mut State) -> Result<(), AnalysisError> {
         self.motion(state);
         if self.system.nv() > DENSE {
-            return Ok(());
+            // Large machines: the sparse factors tell the rank.
+            let rank = self.ws.saddle.factored().rank();
+            let free = self.system.nv().saturating_sub(rank);
+            if free == 0 {
+                return Ok(());
+            }
+            let names = "run 'check' for their names".to_owned();
+            return Err(AnalysisError::NotDriven {
+                freedoms: free,
+                names,
+            });
         }
         let c = scaled_jacobian(self.system, &self.ws);
         self.watch = Watch::new(&c);
@@ -317,7 +329,7 @@ impl<'a> Runner<'a> {
         let mut h = t - state.t;
         let smallest = h / f64::from(1 << HALVINGS);
         while state.t < t {
-            h = h.min(t - state.t);
+            h = h.min(t - state.t).min(self.longest(state)).max(smallest);
             let mut next = self.predict(state, h);
             if t - next.t < 0.5 * smallest {
                 next.t = t;
@@ -336,8 +348,17 @@ impl<'a> Runner<'a> {
                     self.iterations += report.iterations;
                     self.motion(&mut next);
                     if !self.watch.rows.is_empty() {
-                        self.watch.look(&scaled_jacobian(self.system, &self.ws));
-                        let crossed = sign * self.watch.sign < 0.0;
+                        let c = scaled_jacobian(self.system, &self.ws);
+                        self.watch.look(&c);
+                        let mut crossed = sign * self.watch.sign < 0.0;
+                        if (crossed || self.watch.smallest < RECHOOSE) && c.nrows() > c.ncols() {
+                            // With more rows than coordinates others may hold what these let go.
+                            let other = Watch::new(&c);
+                            if other.rows.len() == c.ncols() && other.smallest > RECHOOSE {
+                                self.watch = other;
+                                crossed = false;
+                            }
+                        }
                         if (crossed || self.watch.smallest < SINGULAR) && h > smallest {
                             self.watch.sign = sign;
                             h *= 0.5;
@@ -362,6 +383,25 @@ impl<'a> Runner<'a> {
             }
         }
         Ok(())
+    }
+
+    /// The longest interval in which a singular pose cannot be passed twice unseen: a fraction of a
+    /// turn, a fraction of the machine's size.
+    fn longest(&self, state: &State) -> f64 {
+        if self.watch.rows.is_empty() {
+            return f64::INFINITY;
+        }
+        let fastest = (0..self.system.bodies.len())
+            .map(|b| {
+                let v = &state.v[3 * b..3 * b + 3];
+                (v[0].hypot(v[1]) / self.system.size).max(2.0 * v[2].abs())
+            })
+            .fold(0.0, f64::max);
+        if fastest > 0.0 {
+            0.5 / fastest
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// Did Newton stay on the branch? The correction must be small beside the predicted motion.

@@ -65,7 +65,8 @@ pub(super) fn correct_positions<S: Space>(
     system.update_markers(&state.q, &state.v, ws);
     system.evaluate_constraints(state.t, ws);
     report.residual = system.violation(ws).0;
-    while report.residual > options.tolerance {
+    let tolerance = options.tolerance.max(system.rounding(&state.q));
+    while report.residual > tolerance {
         if report.iterations >= options.max_iterations || !report.residual.is_finite() {
             return fail(system, ws, state, report);
         }
@@ -102,7 +103,7 @@ pub(super) fn correct_positions<S: Space>(
         };
         ws.a = step;
         if reached.is_nan() || reached >= report.residual {
-            if report.residual <= STAGNATION {
+            if report.residual <= tolerance.max(STAGNATION) {
                 system.update_markers(&state.q, &state.v, ws);
                 system.evaluate_constraints(state.t, ws);
                 break;

@@ -88,7 +88,8 @@ impl MeasureRow {
             };
             match unit {
                 None => unit = Some(own),
-                Some(u) if u != own => return RowUnit::Other,
+                // A factor makes lengths of the angles: a rack, a rope.
+                Some(u) if u != own => unit = Some(RowUnit::Length),
                 Some(_) => {}
             }
         }

@@ -11,17 +11,15 @@ pub enum TimeFunction {
     Rate(f64),
     /// An expression of `t` alone.
     Expression(Program),
-    /// start + integral of a rate, an expression of `t` alone, from `from` on.
+    /// start + integral of a rate, an expression of `t` alone, from the first break on.
     Integral {
         /// The rate.
         rate: Program,
-        /// Value at `from`.
+        /// Value at the first break.
         start: f64,
-        /// Start of the integral [s].
-        from: f64,
-        /// Length of a panel of the quadrature [s].
-        panel: f64,
-        /// Integral from `from` to the end of every panel, forward in time.
+        /// Ends of the panels of the quadrature, ascending; the first is the start [s].
+        breaks: Vec<f64>,
+        /// Integral from the start to every break.
         sums: Vec<f64>,
     },
 }
@@ -35,6 +33,13 @@ const GAUSS: [(f64, f64); 5] = [
     (0.865_063_366_688_984_5, 0.149_451_349_150_580_6),
     (0.973_906_528_517_171_7, 0.066_671_344_308_688_14),
 ];
+
+/// First panels of an integral: enough to see a rate that repeats over the run.
+const PANELS: usize = 64;
+/// A panel is halved at most so often: at a kink of the rate the error halves each time.
+const HALVINGS: usize = 44;
+/// Most panels: a rate that needs more changes too often over the run to be resolved.
+const MOST_PANELS: usize = 1 << 20;
 
 fn eval(program: &Program, t: f64) -> f64 {
     program.eval(if program.slots().is_empty() {
@@ -54,85 +59,81 @@ fn gauss(rate: &Program, a: f64, b: f64) -> f64 {
 }
 
 impl TimeFunction {
-    /// The integral of a rate over [from, to] in panels; more panels are added up on the way where a
-    /// run goes further.
-    pub fn integral(rate: Program, start: f64, from: f64, to: f64) -> Self {
-        let panels = 256;
-        let span = (to - from).abs().max(1e-9);
-        let panel = span / panels as f64;
-        let mut sums = Vec::with_capacity(panels);
-        let mut sum = 0.0;
-        for k in 0..panels {
-            let a = from + k as f64 * panel;
-            sum += gauss(&rate, a, a + panel);
-            sums.push(sum);
+    /// The integral of a rate over [from, to]: panels of a 10-point rule, halved until both halves
+    /// add up to the whole to rounding. None where the rate cannot be resolved.
+    pub fn integral(rate: Program, start: f64, from: f64, to: f64) -> Option<Self> {
+        let width = (to - from) / PANELS as f64;
+        let (mut breaks, mut sums) = (vec![from], vec![0.0]);
+        // Panels still to be done, the next one last: end and depth.
+        let mut open: Vec<(f64, usize)> = (1..=PANELS)
+            .rev()
+            .map(|k| {
+                (
+                    if k == PANELS {
+                        to
+                    } else {
+                        from + k as f64 * width
+                    },
+                    0,
+                )
+            })
+            .collect();
+        let (mut at, mut sum, mut scale) = (from, 0.0_f64, 0.0_f64);
+        while let Some((end, depth)) = open.pop() {
+            let mid = 0.5 * (at + end);
+            let whole = gauss(&rate, at, end);
+            let halves = gauss(&rate, at, mid) + gauss(&rate, mid, end);
+            scale = scale.max(sum.abs()).max(halves.abs());
+            let good = (whole - halves).abs() <= 1e-15 * scale + f64::MIN_POSITIVE;
+            if good || depth == HALVINGS || mid <= at || mid >= end {
+                sum += halves;
+                at = end;
+                breaks.push(at);
+                sums.push(sum);
+            } else {
+                open.push((end, depth + 1));
+                open.push((mid, depth + 1));
+            }
+            if breaks.len() + open.len() > MOST_PANELS || !sum.is_finite() {
+                return None;
+            }
         }
-        Self::Integral {
+        Some(Self::Integral {
             rate,
             start,
-            from,
-            panel,
+            breaks,
             sums,
-        }
+        })
     }
 
     /// Value and the first two derivatives.
     pub fn jet(&self, t: f64) -> Jet2 {
         match self {
-            Self::Constant(value) => Jet2 {
-                v: *value,
-                d: 0.0,
-                dd: 0.0,
-            },
-            Self::Rate(rate) => Jet2 {
-                v: 0.0,
-                d: *rate,
-                dd: 0.0,
-            },
+            Self::Constant(value) => Jet2::constant(*value),
+            Self::Rate(rate) => Jet2::new(0.0, *rate, 0.0),
             Self::Expression(program) => jet_of(program, t),
             Self::Integral {
                 rate,
                 start,
-                from,
-                panel,
+                breaks,
                 sums,
             } => {
                 let derivative = jet_of(rate, t);
-                Jet2 {
-                    v: start + integral_value(rate, *from, *panel, sums, t),
-                    d: derivative.v,
-                    dd: derivative.d,
-                }
+                // The last break that is not behind t; before the start the first panel goes on
+                // backwards, behind the end the last one forwards.
+                let k = breaks.partition_point(|b| *b <= t).saturating_sub(1);
+                let value = start + sums[k] + gauss(rate, breaks[k], t);
+                Jet2::new(value, derivative.v, derivative.d)
             }
         }
     }
 }
 
 fn jet_of(program: &Program, t: f64) -> Jet2 {
-    let seed = Jet2 {
-        v: t,
-        d: 1.0,
-        dd: 0.0,
-    };
+    let seed = Jet2::time(t);
     program.eval_jet(if program.slots().is_empty() {
         &[]
     } else {
         std::slice::from_ref(&seed)
     })
-}
-
-fn integral_value(rate: &Program, from: f64, panel: f64, sums: &[f64], t: f64) -> f64 {
-    let position = (t - from) / panel;
-    if position < 1.0 {
-        // Before the first panel's end, and before the start of the run.
-        return gauss(rate, from, t);
-    }
-    let full = (position.floor() as usize).min(sums.len());
-    let mut a = from + full as f64 * panel;
-    let mut sum = sums[full - 1];
-    while a + panel < t {
-        sum += gauss(rate, a, a + panel);
-        a += panel;
-    }
-    sum + gauss(rate, a, t)
 }

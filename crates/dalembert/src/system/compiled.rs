@@ -480,6 +480,17 @@ impl<S: Space> System<S> {
         m
     }
 
+    /// What a residual, in units of the row scales, can be by the rounding of the positions alone:
+    /// machines far from the origin, or after many turns.
+    pub fn rounding(&self, q: &[f64]) -> f64 {
+        let mut largest = [0.0_f64; 2];
+        for body in q[..self.bodies.len() * S::NQ].chunks_exact(S::NQ) {
+            largest[0] = largest[0].max(body[0].abs()).max(body[1].abs());
+            largest[1] = largest[1].max(body[S::NQ - 1].abs());
+        }
+        4.0 * f64::EPSILON * (1.0 + largest[0] / self.size + largest[1])
+    }
+
     /// Largest residual in units of the row scales, and its row.
     pub fn violation(&self, ws: &Workspace<S>) -> (f64, usize) {
         self.largest(&ws.value)

@@ -56,7 +56,7 @@ impl Notes {
     pub fn redundant(&mut self, rows: &[String]) {
         if !rows.is_empty() {
             self.lines.push(format!(
-                "constraints are redundant; these multipliers are not unique, those of least norm are given: {}",
+                "constraints are redundant; these multipliers are not unique, one possible set is given: {}",
                 rows.join(", ")
             ));
         }

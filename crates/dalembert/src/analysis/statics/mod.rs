@@ -353,7 +353,7 @@ fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Resul
         .insert("residual".to_owned(), first.residual);
     if !not_unique.is_empty() {
         results.notes.push(format!(
-            "redundant constraints: the reactions of {} are not unique; the least ones are given",
+            "redundant constraints: the reactions of {} are not unique; one possible set is given",
             not_unique.join(", ")
         ));
     }

@@ -135,12 +135,19 @@ impl Context<'_> {
                     Some(v) => self.number(v, dim, &place.owner, &place.key("start")),
                     None => m.map(|m| self.estimate(m)),
                 };
-                Some(TimeFunction::integral(
-                    program?,
-                    start?,
-                    self.options.start,
-                    self.options.end,
-                ))
+                let (from, to) = (self.options.start, self.options.end);
+                let integral = TimeFunction::integral(program?, start?, from, to);
+                if integral.is_none() {
+                    self.report(
+                        Diagnostic::error(
+                            "unresolved-rate",
+                            place.key("rate"),
+                            format!("{}: the rate cannot be integrated from {from} s to {to} s", place.owner),
+                        )
+                        .help("it is not finite there, or changes too often: give value instead of rate"),
+                    );
+                }
+                integral
             }
         }
     }

@@ -352,6 +352,27 @@ impl Context<'_> {
         internal: bool,
         place: &Place,
     ) -> Option<Built> {
+        let names = [
+            bodies[0].as_str(),
+            bodies[1].as_str(),
+            carrier.unwrap_or(GROUND),
+        ];
+        let twice = (names[0] == names[1] || names[0] == names[2] || names[1] == names[2])
+            && names.iter().all(|n| !n.is_empty());
+        if twice {
+            self.report(
+                Diagnostic::error(
+                    "same-body",
+                    place.key("bodies"),
+                    format!(
+                        "{}: the two gears and their carrier must be three different bodies",
+                        place.owner
+                    ),
+                )
+                .help("name two gears and, where it is not the ground, the body that carries both"),
+            );
+            return None;
+        }
         let origin = |context: &mut Self, name: &str, path: String| {
             let body = context.place(name, &place.owner, &path);
             context.marker(&body, Vector2::zeros(), 0.0)
@@ -551,6 +572,7 @@ impl Context<'_> {
         let samples = 720;
         (0..samples)
             .map(|k| TAU * f64::from(k) / f64::from(samples))
+            .filter(|x| merit(*x).is_finite())
             .min_by(|x, y| merit(*x).total_cmp(&merit(*y)))
             .unwrap_or(0.0)
     }
@@ -569,7 +591,8 @@ impl Context<'_> {
                 &place.key(&format!("bodies[{k}]")),
             )
         });
-        if p.bodies[0] == p.bodies[1] {
+        // Empty names stand for a mistake that is known already.
+        if p.bodies[0] == p.bodies[1] && !p.bodies[0].is_empty() {
             self.report(
                 Diagnostic::error(
                     "same-body",

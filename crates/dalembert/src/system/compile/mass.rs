@@ -99,10 +99,14 @@ impl Context<'_> {
                     Diagnostic::error(
                         "negative-mass",
                         place.key("shape"),
-                        format!(
-                            "{}: the shapes add up to mass {} kg and inertia {} kg m^2",
-                            place.owner, sum.mass, sum.inertia
-                        ),
+                        if sum.mass > 0.0 {
+                            format!(
+                                "{}: the shapes add up to inertia {} kg m^2",
+                                place.owner, sum.inertia
+                            )
+                        } else {
+                            format!("{}: the shapes add up to mass {} kg", place.owner, sum.mass)
+                        },
                     )
                     .help("cut-outs must be smaller than what they are cut from"),
                 );

@@ -51,6 +51,10 @@ impl Default for Options {
 impl Options {
     /// Instants of the written results: start, start + step, ..., end.
     pub fn instants(&self) -> Vec<f64> {
+        // At least the start and the end are written.
+        if self.step >= self.end - self.start {
+            return vec![self.start, self.end];
+        }
         let steps = ((self.end - self.start) / self.step * (1.0 + 1e-12)).floor() as usize;
         let mut times: Vec<f64> = (0..=steps)
             .map(|k| self.start + k as f64 * self.step)
