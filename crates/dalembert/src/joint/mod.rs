@@ -29,7 +29,7 @@ pub enum RowUnit {
     Length,
     /// The residual is an angle [rad].
     Angle,
-    /// Anything else: scaled by its own gradient.
+    /// Anything else: the residual counts as it is.
     Other,
 }
 
