@@ -8,7 +8,7 @@ use dalembert::analysis::{
     AnalysisError, Assembly, DriverSweep, Mobility, SweepOptions, conflicts, driver_singularities,
 };
 use dalembert::network::{Network, TerminalGraph};
-use dalembert::system::{Role, State};
+use dalembert::system::State;
 
 /// Validates the model, assembles it and prints its mobility.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
@@ -25,7 +25,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         Err(error) => return Err(error.into()),
     };
     let report = Mobility::default().run(system, &state)?;
-    let driven = system.elements.iter().any(|e| e.role == Role::Driver);
+    let driven = system.is_driven();
     let sweep = if driven && report.freedoms_left() == 0 {
         Some(driver_singularities(
             system,

@@ -12,10 +12,7 @@ pub fn run(args: &InverseArgs) -> Result<(), Failure> {
     let options = &loaded.compiled.options;
     let analysis = Inverse {
         instants: options.instants(),
-        newton: NewtonOptions {
-            max_iterations: options.max_iterations,
-            ..NewtonOptions::default()
-        },
+        newton: NewtonOptions::of(options),
         actuators: if args.actuator.is_empty() {
             options.actuators.clone()
         } else {

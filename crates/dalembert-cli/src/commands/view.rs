@@ -4,8 +4,7 @@ use crate::arguments::{RunArgs, ViewAnalysis, ViewArgs};
 use crate::failure::Failure;
 use crate::load::{beside, load_run};
 use crate::summary;
-use dalembert::analysis::{Dynamics, Kinematics, NewtonOptions};
-use dalembert::system::Role;
+use dalembert::analysis::{Dynamics, Kinematics};
 
 /// Runs the machine, writes the page and prints the summary of the run.
 pub fn run(args: &ViewArgs) -> Result<(), Failure> {
@@ -22,19 +21,12 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
     let loaded = load_run(&args_with_page)?;
     let system = &loaded.compiled.system;
     let options = &loaded.compiled.options;
-    let newton = NewtonOptions {
-        max_iterations: options.max_iterations,
-        ..NewtonOptions::default()
-    };
-    let kinematics = Kinematics {
-        instants: options.instants(),
-        newton,
-    };
+    let kinematics = Kinematics::new(options);
     let dynamics = || {
         let run = Dynamics::new(options).run(system, &mut |_| true)?;
         Ok::<_, Failure>((run.results, run.assembly, run.stopped))
     };
-    let driven = system.elements.iter().any(|e| e.role == Role::Driver);
+    let driven = system.is_driven();
     let (results, assembly, stopped) = match args.analysis {
         ViewAnalysis::Simulate => dynamics()?,
         ViewAnalysis::Kinematics => {

@@ -50,10 +50,7 @@ impl Dynamics {
             max_step: options.max_step,
             stabilization: options.stabilization,
             baumgarte: options.baumgarte,
-            newton: NewtonOptions {
-                max_iterations: options.max_iterations,
-                ..NewtonOptions::default()
-            },
+            newton: NewtonOptions::of(options),
         }
     }
 
@@ -301,8 +298,7 @@ impl Ode for Motion<'_> {
         scales[nq + nv] = f64::INFINITY;
     }
 
-    /// Position and velocity projection in the metric of the mass, with the factors of the last
-    /// evaluation where they still serve: the last stage of a step ended at this very state.
+    /// Position and velocity projection in the metric of the mass.
     fn project(&mut self, t: f64, y: &mut [f64]) -> Result<bool, AnalysisError> {
         if self.baumgarte.is_some() || self.system.rows == 0 {
             return Ok(false);

@@ -8,6 +8,7 @@ use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
 use crate::solve::independent_rows;
 use crate::space::Planar;
+use crate::system::compile::Options;
 use crate::system::{Role, State, System, Workspace};
 use nalgebra::DMatrix;
 
@@ -44,7 +45,7 @@ const HALVINGS: usize = 12;
 /// pose lies between two instants, where Newton could land on either branch.
 #[derive(Debug)]
 struct Watch {
-    /// Independent rows, chosen at the start; empty where the system is too large to be watched.
+    /// Independent rows; empty where the system is too large to be watched.
     rows: Vec<usize>,
     sign: f64,
     smallest: f64,
@@ -176,6 +177,14 @@ struct Runner<'a> {
 }
 
 impl Kinematics {
+    /// With the options of a compiled model.
+    pub fn new(options: &Options) -> Self {
+        Self {
+            instants: options.instants(),
+            newton: NewtonOptions::of(options),
+        }
+    }
+
     /// Runs the analysis.
     ///
     /// # Errors
@@ -301,7 +310,7 @@ impl<'a> Runner<'a> {
         }
         moving.truncate(6);
         let rows = self.system.rows;
-        if rows >= c.ncols() && self.driven() {
+        if rows >= c.ncols() && self.system.is_driven() {
             return Err(AnalysisError::Singular {
                 time: state.t,
                 last: state.t,
@@ -316,10 +325,6 @@ impl<'a> Runner<'a> {
             freedoms: free,
             names: moving.join(", "),
         })
-    }
-
-    fn driven(&self) -> bool {
-        self.system.elements.iter().any(|e| e.role == Role::Driver)
     }
 
     /// From one instant to the next: predictor, Newton, velocities, accelerations; the interval is

@@ -3,6 +3,7 @@
 use super::AnalysisError;
 use super::weights::Weights;
 use crate::space::Space;
+use crate::system::compile::Options;
 use crate::system::{State, System, Workspace};
 
 /// When Newton's method stops.
@@ -21,6 +22,16 @@ impl Default for NewtonOptions {
         Self {
             max_iterations: 50,
             tolerance: 1e-13,
+        }
+    }
+}
+
+impl NewtonOptions {
+    /// With the options of a compiled model.
+    pub fn of(options: &Options) -> Self {
+        Self {
+            max_iterations: options.max_iterations,
+            ..Self::default()
         }
     }
 }

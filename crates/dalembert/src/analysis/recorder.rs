@@ -46,16 +46,6 @@ impl Recorder {
         }
     }
 
-    /// Number of instants so far.
-    pub fn len(&self) -> usize {
-        self.channels.first().map_or(0, |c| c.values.len())
-    }
-
-    /// Is nothing recorded yet?
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
     fn put(&mut self, owner: &str, suffix: &str, unit: &str, meaning: &str, value: f64) {
         if self.at == self.channels.len() {
             let name = if owner.is_empty() {

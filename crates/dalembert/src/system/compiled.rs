@@ -517,6 +517,11 @@ impl<S: Space> System<S> {
         self.elements.iter().find(|e| e.name == name)
     }
 
+    /// Does a driver prescribe a motion?
+    pub fn is_driven(&self) -> bool {
+        self.elements.iter().any(|e| e.role == Role::Driver)
+    }
+
     /// Names of the velocity coordinates in the user's words: "crank.x", "A.phi".
     pub fn coordinate_names(&self) -> Vec<String> {
         let mut names = Vec::with_capacity(self.nv());

@@ -1,7 +1,8 @@
 //! Constraints that cannot hold together.
 
 use super::super::AnalysisError;
-use super::ranked::{column_scale, evaluated};
+use super::ranked::evaluated;
+use crate::formulation::column_scale;
 use crate::space::Planar;
 use crate::system::{State, System, Workspace};
 use nalgebra::{DMatrix, DVector};

@@ -3,9 +3,10 @@
 use super::super::AnalysisError;
 use super::super::newton::{NewtonOptions, correct_positions};
 use super::super::weights::Weights;
-use super::ranked::{Ranked, column_scale};
+use super::ranked::Ranked;
 use super::singular_pose::{SingularKind, SingularPose};
 use super::sweep_result::{DriverSweep, SweepOptions};
+use crate::formulation::column_scale;
 use crate::space::Planar;
 use crate::system::{Role, State, System, Workspace};
 
@@ -43,7 +44,7 @@ pub fn driver_singularities(
         reached: start.t,
         ..DriverSweep::default()
     };
-    if !driven.elements.iter().any(|e| e.role == Role::Driver) || options.steps == 0 {
+    if !driven.is_driven() || options.steps == 0 {
         result.stopped = Some("the machine has no driver".to_owned());
         return Ok(result);
     }

@@ -1,7 +1,7 @@
 //! Free motions in words.
 
 use super::dependence::list;
-use super::ranked::column_scale;
+use crate::formulation::column_scale;
 use crate::space::{Planar, Space, Tuple};
 use crate::system::{Role, System, Workspace};
 use nalgebra::{DMatrix, DVector, Vector3};

@@ -1,6 +1,6 @@
 //! Motions that no mass and no constraint resists.
 
-use super::ranked::column_scale;
+use crate::formulation::column_scale;
 use crate::solve::{RankError, analyse_rows};
 use crate::space::Planar;
 use crate::system::System;

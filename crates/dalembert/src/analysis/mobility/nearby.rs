@@ -2,7 +2,7 @@
 
 use super::super::newton::{NewtonOptions, correct_positions};
 use super::super::weights::Weights;
-use super::ranked::column_scale;
+use crate::formulation::column_scale;
 use crate::space::Planar;
 use crate::system::{State, System, Workspace};
 use nalgebra::DMatrix;

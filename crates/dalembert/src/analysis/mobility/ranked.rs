@@ -2,7 +2,7 @@
 
 use super::super::AnalysisError;
 use super::super::weights::Weights;
-use crate::joint::RowUnit;
+use crate::formulation::column_scale;
 use crate::solve::{RankError, RowRank, analyse_rows, redundant_rows};
 use crate::space::Planar;
 use crate::system::{State, System, Workspace};
@@ -19,23 +19,6 @@ pub(super) struct Ranked {
     pub dense: Option<RowRank>,
     /// Workspace with the markers and rows of the pose.
     pub ws: Workspace<Planar>,
-}
-
-/// Typical size of a change of each velocity coordinate: lengths the machine's size, angles 1.
-pub(super) fn column_scale(system: &System<Planar>) -> Vec<f64> {
-    let mut scale = Vec::with_capacity(system.nv());
-    for _ in &system.bodies {
-        scale.extend([system.size, system.size, 1.0]);
-    }
-    for e in &system.elements {
-        for label in e.element.auxiliaries() {
-            scale.push(match label.unit {
-                RowUnit::Length => system.size,
-                RowUnit::Angle | RowUnit::Other => 1.0,
-            });
-        }
-    }
-    scale
 }
 
 /// Evaluates the rows of a system at a state.
