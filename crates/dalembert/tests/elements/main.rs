@@ -1,9 +1,10 @@
-//! Every constraint element and force element against numerical differentiation at random states that are off the
-//! constraint manifold, with all velocities different from zero.
+//! Every constraint element against dual numbers, and every force element against numerical differentiation, at random
+//! states that are off the constraint manifold, with all velocities different from zero.
 
 mod constraints;
 mod contacts;
 mod forces;
+mod oracle;
 #[path = "../support/mod.rs"]
 mod support;
 
