@@ -1,7 +1,7 @@
 //! Constraints that are not joints.
 
+use super::built::Built;
 use super::context::{Context, GlobalMeasure};
-use super::joints::Built;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::joint::{ExpressionRows, Measure, MeasureRow, MeasureRows, MeasureTerm, TimeFunction};

@@ -1,8 +1,8 @@
 //! Drivers and initial conditions.
 
+use super::built::Built;
 use super::constraints::measure_rows;
 use super::context::{Context, GlobalMeasure};
-use super::joints::Built;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::joint::{Measure, MeasureKind, MeasureRow, MeasureRows, TimeFunction};

@@ -1,6 +1,7 @@
 //! From a model to a compiled planar system: every number resolved, every mistake collected.
 
 mod bodies;
+mod built;
 mod constraints;
 mod context;
 mod drawing;
