@@ -3,6 +3,7 @@
 //!
 //! Twist = (linear, angular), wrench = (force, moment), linear first. Planar: 3 components.
 
+pub mod orientation;
 mod planar;
 mod tuple;
 
