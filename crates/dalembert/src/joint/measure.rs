@@ -1,4 +1,4 @@
-//! Scalar measures between two markers of the plane.
+//! Scalar measures between two markers of the plane, and what every measure answers.
 
 use crate::space::PlanarMarker;
 use nalgebra::{Vector2, Vector3};
@@ -33,9 +33,9 @@ pub struct Measure {
     pub second: usize,
 }
 
-/// Value and derivatives of a measure.
+/// Value and derivatives of a measure; `T` is the twist of the space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Measured {
+pub struct Measured<T = Vector3<f64>> {
     /// Value.
     pub value: f64,
     /// Rate.
@@ -43,9 +43,9 @@ pub struct Measured {
     /// Second time derivative where the accelerations of both markers vanish.
     pub bias: f64,
     /// Gradient with respect to the twist of the first marker.
-    pub first: Vector3<f64>,
+    pub first: T,
     /// Gradient with respect to the twist of the second marker.
-    pub second: Vector3<f64>,
+    pub second: T,
 }
 
 impl MeasureKind {

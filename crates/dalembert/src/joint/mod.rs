@@ -10,6 +10,7 @@ mod expression_rows;
 mod measure;
 mod measure_rows;
 mod rolling;
+mod spatial_measure;
 mod time_function;
 
 pub use cam::{Cam, Follower, Profile};
@@ -17,6 +18,7 @@ pub use expression_rows::ExpressionRows;
 pub use measure::{Measure, MeasureKind, Measured};
 pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
 pub use rolling::RollingOnCircle;
+pub use spatial_measure::SpatialMeasure;
 pub use time_function::TimeFunction;
 
 use crate::space::Space;

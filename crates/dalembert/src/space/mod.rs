@@ -1,13 +1,15 @@
 //! Poses, twists, wrenches and inertias: the only place, with the joint catalogue, that knows
 //! the dimension.
 //!
-//! Twist = (linear, angular), wrench = (force, moment), linear first. Planar: 3 components.
+//! Twist = (linear, angular), wrench = (force, moment), linear first. Planar: 3 components, spatial: 6.
 
 pub mod orientation;
 mod planar;
+mod spatial;
 mod tuple;
 
 pub use planar::{Planar, PlanarFrame, PlanarMarker, PlanarPose, perpendicular};
+pub use spatial::{Spatial, SpatialFrame, SpatialMarker, SpatialPose, join};
 pub use tuple::Tuple;
 
 use std::fmt::Debug;
@@ -44,4 +46,15 @@ pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
     fn pull(marker: &Self::Marker, wrench: &Self::Twist) -> Self::Twist;
     /// Carries velocity coordinates of the body to the twist at a marker: the transpose of `pull`.
     fn push(marker: &Self::Marker, velocity: &Self::Twist) -> Self::Twist;
+    /// Rates q' (NQ) of a body with velocities `v` (NV).
+    fn rate(q: &[f64], v: &[f64], out: &mut [f64]);
+    /// Moves a body by a step in its velocity coordinates: the point that is reached in unit time with constant
+    /// velocities `step`.
+    fn advance(q: &mut [f64], step: &[f64]);
+    /// The smallest step (NV) that `advance` needs from one pose of a body to another.
+    fn difference(from: &[f64], to: &[f64], out: &mut [f64]);
+    /// Brings redundant coordinates of a body back to their own condition.
+    fn normalize(q: &mut [f64]);
+    /// Q_v of a body with the mass block `mass` (NV x NV, row-major): the inertia forces of its own rotation.
+    fn gyroscopic(mass: &[f64], v: &[f64]) -> Self::Twist;
 }

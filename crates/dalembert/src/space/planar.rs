@@ -120,4 +120,26 @@ impl Space for Planar {
     fn push(m: &PlanarMarker, v: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(v.x - v.z * m.arm.y, v.y + v.z * m.arm.x, v.z)
     }
+
+    fn rate(_: &[f64], v: &[f64], out: &mut [f64]) {
+        out.copy_from_slice(v);
+    }
+
+    fn advance(q: &mut [f64], step: &[f64]) {
+        for (q, s) in q.iter_mut().zip(step) {
+            *q += s;
+        }
+    }
+
+    fn difference(from: &[f64], to: &[f64], out: &mut [f64]) {
+        for ((out, from), to) in out.iter_mut().zip(from).zip(to) {
+            *out = to - from;
+        }
+    }
+
+    fn normalize(_: &mut [f64]) {}
+
+    fn gyroscopic(_: &[f64], _: &[f64]) -> Vector3<f64> {
+        Vector3::zeros()
+    }
 }

@@ -45,6 +45,12 @@ impl Axis {
             .find(|a| a.letter() == letter.to_ascii_lowercase())
     }
 
+    /// The axes that follow it in turn: (k, i, j) is right-handed.
+    pub fn next_two(self) -> (Self, Self) {
+        let k = self.number();
+        (Self::ALL[(k + 1) % 3], Self::ALL[(k + 2) % 3])
+    }
+
     /// The axis that is neither of two different ones, and whether (first, second, third) is a right-handed order (+1)
     /// or not (-1).
     pub(super) fn third(first: Self, second: Self) -> (Self, f64) {

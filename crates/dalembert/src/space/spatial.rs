@@ -1,0 +1,191 @@
+//! Space: seven position coordinates and six velocity coordinates a body.
+
+use super::Space;
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
+
+/// Spatial motion of the centre of mass.
+///
+/// q = (r, b): position in ground axes [m], Euler parameters with the scalar first.
+/// v = (r', omegabar): velocity in ground axes [m/s], angular velocity in BODY axes [rad/s] (Tokad 42: the mass block is
+/// constant).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Spatial;
+
+/// A frame fixed in a spatial body, from the centre of mass, in body axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialFrame {
+    /// Origin [m].
+    pub at: Vector3<f64>,
+    /// Its axes as columns, in body axes.
+    pub axes: Matrix3<f64>,
+}
+
+/// Pose of a spatial body in ground axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialPose {
+    /// Centre of mass [m].
+    pub point: Vector3<f64>,
+    /// Body axes as columns: A.
+    pub axes: Matrix3<f64>,
+}
+
+/// Pose and velocity of a spatial frame in ground axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpatialMarker {
+    /// Point [m].
+    pub point: Vector3<f64>,
+    /// Axes of the frame as columns.
+    pub axes: Matrix3<f64>,
+    /// Axes of its body as columns: A.
+    pub body: Matrix3<f64>,
+    /// From the body's centre of mass to the point [m].
+    pub arm: Vector3<f64>,
+    /// Velocity of the point [m/s].
+    pub velocity: Vector3<f64>,
+    /// Angular velocity [rad/s].
+    pub omega: Vector3<f64>,
+}
+
+impl Default for SpatialFrame {
+    fn default() -> Self {
+        Self {
+            at: Vector3::zeros(),
+            axes: Matrix3::identity(),
+        }
+    }
+}
+
+impl Default for SpatialPose {
+    fn default() -> Self {
+        Self {
+            point: Vector3::zeros(),
+            axes: Matrix3::identity(),
+        }
+    }
+}
+
+impl Default for SpatialMarker {
+    fn default() -> Self {
+        Spatial::ground_marker(&SpatialFrame::default())
+    }
+}
+
+/// Linear and angular parts of a twist or a wrench.
+fn parts(x: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    (
+        Vector3::new(x[0], x[1], x[2]),
+        Vector3::new(x[3], x[4], x[5]),
+    )
+}
+
+/// A twist or a wrench of its two parts.
+pub fn join(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
+    Vector6::new(
+        linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
+    )
+}
+
+impl Space for Spatial {
+    const NQ: usize = 7;
+    const NV: usize = 6;
+    type Twist = Vector6<f64>;
+    type Frame = SpatialFrame;
+    type Pose = SpatialPose;
+    type Marker = SpatialMarker;
+
+    /// The Euler parameters need not have unit norm: the stages of an integrator leave the sphere a little.
+    fn pose(q: &[f64]) -> SpatialPose {
+        let b = UnitQuaternion::from_quaternion(Quaternion::new(q[3], q[4], q[5], q[6]));
+        SpatialPose {
+            point: Vector3::new(q[0], q[1], q[2]),
+            axes: *b.to_rotation_matrix().matrix(),
+        }
+    }
+
+    fn marker(frame: &SpatialFrame, pose: &SpatialPose, v: &[f64]) -> SpatialMarker {
+        let arm = pose.axes * frame.at;
+        let omega = pose.axes * Vector3::new(v[3], v[4], v[5]);
+        SpatialMarker {
+            point: pose.point + arm,
+            axes: pose.axes * frame.axes,
+            body: pose.axes,
+            arm,
+            velocity: Vector3::new(v[0], v[1], v[2]) + omega.cross(&arm),
+            omega,
+        }
+    }
+
+    fn ground_marker(frame: &SpatialFrame) -> SpatialMarker {
+        SpatialMarker {
+            point: frame.at,
+            axes: frame.axes,
+            body: Matrix3::identity(),
+            arm: frame.at,
+            velocity: Vector3::zeros(),
+            omega: Vector3::zeros(),
+        }
+    }
+
+    fn twist(m: &SpatialMarker) -> Vector6<f64> {
+        join(&m.velocity, &m.omega)
+    }
+
+    // Shabana 7.64: the normal acceleration omega x (omega x u); alpha = A d(omegabar)/dt has no part of its own.
+    fn bias(m: &SpatialMarker) -> Vector6<f64> {
+        join(&m.omega.cross(&m.omega.cross(&m.arm)), &Vector3::zeros())
+    }
+
+    fn pull(m: &SpatialMarker, w: &Vector6<f64>) -> Vector6<f64> {
+        let (force, moment) = parts(w);
+        join(&force, &m.body.tr_mul(&(moment + m.arm.cross(&force))))
+    }
+
+    fn push(m: &SpatialMarker, v: &Vector6<f64>) -> Vector6<f64> {
+        let (linear, angular) = parts(v);
+        let omega = m.body * angular;
+        join(&(linear + omega.cross(&m.arm)), &omega)
+    }
+
+    fn rate(q: &[f64], v: &[f64], out: &mut [f64]) {
+        out[..3].copy_from_slice(&v[..3]);
+        // b' = Gbar^T omegabar / 4 (Shabana 8.26): half the product of b and (0, omegabar).
+        let b = Quaternion::new(q[3], q[4], q[5], q[6]);
+        let d = 0.5 * (b * Quaternion::new(0.0, v[3], v[4], v[5]));
+        out[3..7].copy_from_slice(&[d.w, d.i, d.j, d.k]);
+    }
+
+    fn advance(q: &mut [f64], step: &[f64]) {
+        for (q, s) in q[..3].iter_mut().zip(step) {
+            *q += s;
+        }
+        let b = Quaternion::new(q[3], q[4], q[5], q[6]);
+        let turn = UnitQuaternion::from_scaled_axis(Vector3::new(step[3], step[4], step[5]));
+        let b = b * turn.quaternion();
+        q[3..7].copy_from_slice(&[b.w, b.i, b.j, b.k]);
+        Self::normalize(q);
+    }
+
+    fn difference(from: &[f64], to: &[f64], out: &mut [f64]) {
+        for k in 0..3 {
+            out[k] = to[k] - from[k];
+        }
+        let unit =
+            |q: &[f64]| UnitQuaternion::from_quaternion(Quaternion::new(q[3], q[4], q[5], q[6]));
+        let turn = (unit(from).conjugate() * unit(to)).scaled_axis();
+        out[3..6].copy_from_slice(turn.as_slice());
+    }
+
+    fn normalize(q: &mut [f64]) {
+        let norm = q[3..7].iter().map(|b| b * b).sum::<f64>().sqrt();
+        for b in &mut q[3..7] {
+            *b /= norm;
+        }
+    }
+
+    // Shabana 7.105 with a central frame: -omegabar x (Ibar omegabar).
+    fn gyroscopic(mass: &[f64], v: &[f64]) -> Vector6<f64> {
+        let w = Vector3::new(v[3], v[4], v[5]);
+        let inertia = Matrix3::from_fn(|i, j| mass[(3 + i) * 6 + 3 + j]);
+        join(&Vector3::zeros(), &-w.cross(&(inertia * w)))
+    }
+}
