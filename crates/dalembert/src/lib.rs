@@ -10,6 +10,7 @@ pub mod force;
 pub mod formulation;
 pub mod integrate;
 pub mod joint;
+pub mod mass;
 pub mod model;
 pub mod network;
 pub mod results;
