@@ -299,7 +299,7 @@ fn meshes_far_away_turned_inside_out_and_wrong() {
     assert_eq!(
         mesh_properties(&vertices[..7], &triangles),
         Err(MeshError::NoSuchVertex {
-            triangle: 4,
+            triangle: 3,
             vertex: 8,
             vertices: 7
         })
