@@ -12,6 +12,10 @@ const GOAL: f64 = 1e-13;
 /// than the goal.
 const ACCEPTED: f64 = 1e-11;
 
+/// Backward error of a row of the factorization over its largest product: measured on chains of up to 10000 bars, it
+/// is 1 to 2.2 times the machine's unit, whatever the length.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// Most corrections after the first solution.
 const SWEEPS: usize = 6;
 
@@ -42,6 +46,8 @@ pub(super) struct Work {
     kept_l: Vec<f64>,
     kept_s: Vec<f64>,
     local: Vec<f64>,
+    /// Square of the largest weighted term of the last residual.
+    scale: f64,
 }
 
 impl Work {
@@ -70,6 +76,7 @@ impl Work {
             kept_l: vec![0.0; rows],
             kept_s: vec![0.0; aux],
             local: vec![0.0; longest],
+            scale: 0.0,
         }
     }
 }
@@ -163,6 +170,9 @@ impl Saddle {
         relative: &mut f64,
     ) -> usize {
         let mut sweeps = 0;
+        if *relative <= GOAL || *relative <= self.rounding(l) {
+            return sweeps;
+        }
         while *relative > GOAL && relative.is_finite() && sweeps < SWEEPS {
             self.correction(dof, factor);
             self.work.best_a.copy_from_slice(a);
@@ -187,6 +197,22 @@ impl Saddle {
             }
         }
         sweeps
+    }
+
+    /// The relative residual that rounding of the multipliers alone can leave: in a long chain large forces of
+    /// neighbouring joints cancel on each body, and no correction gains anything below this.
+    fn rounding(&self, l: &[f64]) -> f64 {
+        let squares = l
+            .iter()
+            .zip(&self.row_weight)
+            .filter(|(_, weight)| **weight > 0.0)
+            .map(|(l, weight)| l * l / weight);
+        let largest = squares.fold(0.0, larger);
+        if self.work.scale > 0.0 {
+            ROUNDING * (largest / self.work.scale).sqrt()
+        } else {
+            0.0
+        }
     }
 
     /// Solves the factored system for the residuals in `work`; the answer is the step in `work`.
@@ -351,6 +377,7 @@ impl Saddle {
             scale = larger(scale, term * term * weight);
             sum_of_all += rest;
         }
+        work.scale = scale;
         match (f64::is_finite(sum_of_all) && scale.is_finite(), scale > 0.0) {
             (false, _) => f64::INFINITY,
             (true, false) => 0.0,

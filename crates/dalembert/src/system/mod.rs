@@ -4,6 +4,7 @@
 mod body;
 mod compiled;
 mod element;
+mod plan;
 mod state;
 mod workspace;
 

@@ -338,7 +338,7 @@ impl<'m> Context<'m> {
                 let program = self.time_program(value, dim, owner, path)?;
                 Some(match program.constant() {
                     Some(x) => TimeFunction::Constant(x),
-                    None => TimeFunction::Expression(program),
+                    None => TimeFunction::Expression(Box::new(program)),
                 })
             }
         }

@@ -52,7 +52,7 @@ impl Built {
     fn rows(
         kind: &'static str,
         markers: [usize; 2],
-        rows: SmallVec<[MeasureRow; 3]>,
+        rows: SmallVec<[MeasureRow; 2]>,
         coordinates: SmallVec<[Coordinate; 2]>,
     ) -> Self {
         Self {
