@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use super::{
-    BodyData, ElementData, ForceData, MarkerData, Phase, Role, State, TraceData, Workspace,
+    BodyData, ElementData, ForceData, MarkerData, Metric, Phase, Role, State, TraceData, Workspace,
 };
 use crate::joint::{ConstraintInput, ConstraintOutput, RowLabel, RowUnit};
 use crate::solve::{ElementShape, SaddleShape};
@@ -34,8 +34,8 @@ pub struct System<S: Space> {
     pub traces: Vec<TraceData>,
     /// Mass matrix, NV x NV row-major a body (constant: central frames).
     pub mass: Vec<f64>,
-    /// Inverse of every block where it has one; zero blocks for massless bodies.
-    pub mass_inverse: Vec<f64>,
+    /// The mass matrix made regular, for the solver.
+    pub metric: Metric,
     /// Does a body lack mass or inertia, so that M is singular?
     pub massless: bool,
     /// Weight of every body, generalized force of gravity.
@@ -85,7 +85,7 @@ impl<S: Space> System<S> {
             forces,
             traces,
             mass,
-            mass_inverse: Vec::new(),
+            metric: Metric::default(),
             massless: false,
             weight: Vec::new(),
             gravity,

@@ -1,6 +1,6 @@
 //! Regular saddle systems against dense LU.
 
-use crate::problem::{Problem, chain, relative};
+use crate::problem::{PlanarRevolute, Problem, chain, relative};
 use crate::random::Random;
 use dalembert::solve::{ElementShape, SaddleShape};
 
@@ -143,7 +143,11 @@ fn rounding_of_large_joint_forces_is_not_refined_in_vain() {
     assert!(answer.residual.converged, "{:?}", answer.residual);
     // What is left is rounding of the largest force.
     let bound = 1e-15 * answer.l.amax() / problem.f.iter().fold(1.0, |a: f64, b| a.max(b.abs()));
-    assert!(answer.residual.relative < bound, "{:?} {bound}", answer.residual);
+    assert!(
+        answer.residual.relative < bound,
+        "{:?} {bound}",
+        answer.residual
+    );
 }
 
 #[test]
