@@ -87,7 +87,7 @@ fn the_accelerations_are_those_of_the_dense_equations() {
         let close = |found: &[f64], right: &[f64]| {
             let size = right.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
             for (x, y) in found.iter().zip(right) {
-                assert!((x - y).abs() < 1e-11 * size, "machine {number}: {x} {y}");
+                assert!((x - y).abs() < 1e-14 * size, "machine {number}: {x} {y}");
             }
         };
         close(&motion.ws.a, &dense.a);
@@ -123,8 +123,8 @@ fn a_light_coupler_moves_as_a_massless_one_and_as_fast_as_a_heavy_one() {
     });
     let (light_y, massless_y) = (&light.state.q, &massless.state.q);
     for (x, y) in light_y.iter().zip(massless_y) {
-        // The step control holds 1e-8 a step; the runs take the same steps.
-        assert!((x - y).abs() < 1e-9, "{x} {y}");
+        // The runs take the same steps; the mass itself changes the angles by 1.2e-11.
+        assert!((x - y).abs() < 2e-11, "{x} {y}");
     }
     let steps = |report: &DynamicsReport| report.results.statistics["steps"];
     assert!(
@@ -142,14 +142,14 @@ fn a_light_coupler_moves_as_a_massless_one_and_as_fast_as_a_heavy_one() {
 }
 
 #[test]
-fn light_bodies_in_chains_and_loops_are_right_at_every_mass() {
-    // The same machine with the coupler lighter and lighter: no mass on the way is worse than others.
+fn the_lighter_the_coupler_the_closer_to_none() {
+    // No mass on the way is worse than others: what is left is the effect of the mass, 12.4 rad a kilogram.
     let reference = run(with_coupler(0.0)).expect("it runs").state;
     for exponent in 5..=20 {
         let mass = 10_f64.powi(-exponent);
         let report = run(with_coupler(mass)).expect("it runs");
         assert!(report.stopped.is_none(), "{mass}: {:?}", report.stopped);
-        let bound = 30.0 * mass + 1e-7;
+        let bound = 13.0 * mass + 1e-12;
         for (x, y) in report.state.q.iter().zip(&reference.q) {
             assert!((x - y).abs() < bound, "{mass}: {x} {y}");
         }
@@ -175,6 +175,6 @@ fn a_light_pendulum_on_a_light_coupler_keeps_its_own_motion() {
         assert!(report.stopped.is_none(), "{:?}", report.stopped);
     }
     for (x, y) in light.state.q.iter().zip(&lighter.state.q) {
-        assert!((x - y).abs() < 1e-6, "{x} {y}");
+        assert!((x - y).abs() < 1e-10, "{x} {y}");
     }
 }

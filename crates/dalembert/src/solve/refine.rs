@@ -1,7 +1,6 @@
 //! Solution and refinement of the saddle system.
 
 use super::kernel::{Size, add_apply, add_apply_transposed, with_dof, with_size};
-use super::pattern::Pattern;
 use super::residual::{Residual, Rhs};
 use super::saddle::Saddle;
 
@@ -29,62 +28,11 @@ enum Use {
     Lifted,
 }
 
-/// Arrays of a solution, allocated once.
-#[derive(Clone, Debug)]
-pub(super) struct Work {
-    force: Vec<f64>,
-    row: Vec<f64>,
-    aux: Vec<f64>,
-    turned: Vec<f64>,
-    step_a: Vec<f64>,
-    step_l: Vec<f64>,
-    step_s: Vec<f64>,
-    best_a: Vec<f64>,
-    best_l: Vec<f64>,
-    best_s: Vec<f64>,
-    kept_a: Vec<f64>,
-    kept_l: Vec<f64>,
-    kept_s: Vec<f64>,
-    local: Vec<f64>,
-    /// Square of the largest weighted term of the last residual.
-    scale: f64,
-}
-
-impl Work {
-    /// Allocates the arrays for a pattern.
-    pub fn new(pattern: &Pattern) -> Self {
-        let (coordinates, rows, aux) = (pattern.coordinates(), pattern.rows(), pattern.aux());
-        let longest = pattern
-            .shape()
-            .elements
-            .iter()
-            .map(|e| e.rows)
-            .max()
-            .unwrap_or(0);
-        Self {
-            force: vec![0.0; coordinates],
-            row: vec![0.0; rows],
-            aux: vec![0.0; aux],
-            turned: vec![0.0; rows],
-            step_a: vec![0.0; coordinates],
-            step_l: vec![0.0; rows],
-            step_s: vec![0.0; aux],
-            best_a: vec![0.0; coordinates],
-            best_l: vec![0.0; rows],
-            best_s: vec![0.0; aux],
-            kept_a: vec![0.0; coordinates],
-            kept_l: vec![0.0; rows],
-            kept_s: vec![0.0; aux],
-            local: vec![0.0; longest],
-            scale: 0.0,
-        }
-    }
-}
-
 impl Saddle {
     /// Solves with the last factorization and refines against the true system. Allocates nothing.
     ///
-    /// `mass` has one row-major `dof x dof` block a body, the inverse of what [`factor`](Self::factor) was given.
+    /// `mass` has one row-major `dof x dof` block a body: the inverse of what [`factor`](Self::factor) was given, or a
+    /// matrix near it, which may be singular. Each sweep gains the part by which they differ on the free motions.
     pub fn solve(
         &mut self,
         mass: &[f64],
