@@ -1,6 +1,7 @@
 //! Forward dynamics: the augmented formulation in absolute coordinates, integrated with error
 //! control; positions and velocities projected.
 
+use super::massless;
 use super::newton::NewtonOptions;
 use super::recorder::{Extra, Recorder, energies, outside_power};
 use super::{AnalysisError, Assembly, AssemblyReport};
@@ -9,7 +10,7 @@ use crate::model::Stabilization;
 use crate::results::Results;
 use crate::space::Planar;
 use crate::system::compile::Options;
-use crate::system::{State, System, Workspace};
+use crate::system::{Metric, State, System, Workspace};
 
 /// Forward dynamics (Shabana 6.7, 6.11, 6.12).
 #[derive(Clone, Debug, PartialEq)]
@@ -77,6 +78,7 @@ impl Dynamics {
         y[nq..nq + nv].copy_from_slice(&state.v);
         let start = *self.instants.first().unwrap_or(&state.t);
         motion.evaluate(start, &y)?;
+        motion.check_masses()?;
         running.update_markers(&state.q, &state.v, &mut motion.ws);
         let start_energy = motion.energy(start, &y);
         let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
@@ -134,6 +136,9 @@ impl Dynamics {
         }
         let mut results = recorder.into_results(&system.name, "simulate");
         results.notes = notes;
+        results
+            .notes
+            .extend(massless::note(&running, &motion.metric));
         for (name, value) in [
             ("steps", steps as f64),
             ("rejected steps", rejected as f64),
@@ -167,6 +172,8 @@ pub struct Motion<'a> {
     rate: Vec<f64>,
     zero: Vec<f64>,
     tolerance: f64,
+    /// Masses as the solver sees them, and metric of the projections.
+    metric: Metric,
 }
 
 impl<'a> Motion<'a> {
@@ -183,6 +190,7 @@ impl<'a> Motion<'a> {
             rate: vec![0.0; system.rows],
             zero: vec![0.0; system.nv()],
             tolerance: (1e-3 * options.tolerance).clamp(1e-14, 1e-11),
+            metric: system.metric.clone(),
         }
     }
 
@@ -209,16 +217,23 @@ impl<'a> Motion<'a> {
                 *r -= 2.0 * alpha * (self.rate[k] + ws.time[k]) + beta * beta * ws.value[k];
             }
         }
-        if system.massless {
-            super::massless::solve(system, ws)?;
-        } else {
-            ws.factor(&system.mass_inverse);
-            ws.solve_forces(&system.mass);
+        self.metric.factor(system, ws);
+        let found = ws.solve_forces(&system.mass);
+        if system.massless && !found.converged {
+            massless::dense(system, ws)?;
         }
         if ws.a.iter().all(|x| x.is_finite()) {
             return Ok(());
         }
         Err(self.not_finite(t))
+    }
+
+    /// Makes sure that masses and constraints determine the accelerations at the last evaluation.
+    fn check_masses(&mut self) -> Result<(), AnalysisError> {
+        if !self.system.massless {
+            return Ok(());
+        }
+        massless::check(self.system, &mut self.ws, &mut self.metric)
     }
 
     fn not_finite(&self, t: f64) -> AnalysisError {
@@ -328,11 +343,11 @@ impl Ode for Motion<'_> {
                     conflict: "; the projection did not converge".to_owned(),
                 });
             }
-            super::massless::factor(system, ws);
+            self.metric.factor(system, ws);
             for (r, c) in ws.rhs.iter_mut().zip(&ws.value) {
                 *r = -c;
             }
-            super::massless::solve_with(system, ws, &self.zero)?;
+            ws.solve(&self.metric.blocks, &self.zero);
             for (x, d) in q.iter_mut().zip(&ws.a) {
                 *x += d;
             }
@@ -341,12 +356,12 @@ impl Ode for Motion<'_> {
             violation = system.violation(ws).0;
             iterations += 1;
         }
-        super::massless::factor(system, ws);
+        self.metric.factor(system, ws);
         system.jac_mul(ws, v, &mut self.rate);
         for (r, (c, t)) in ws.rhs.iter_mut().zip(self.rate.iter().zip(&ws.time)) {
             *r = -(c + t);
         }
-        super::massless::solve_with(system, ws, &self.zero)?;
+        ws.solve(&self.metric.blocks, &self.zero);
         for (x, d) in v.iter_mut().zip(&ws.a) {
             *x += d;
         }

@@ -19,7 +19,7 @@ pub struct MeasureTerm {
 #[derive(Clone, Debug)]
 pub struct MeasureRow {
     /// The terms.
-    pub terms: SmallVec<[MeasureTerm; 2]>,
+    pub terms: SmallVec<[MeasureTerm; 1]>,
     /// f(t).
     pub target: TimeFunction,
     /// What the row holds.
@@ -32,7 +32,7 @@ pub struct MeasureRows {
     /// Number of markers of the element.
     pub markers: usize,
     /// The rows.
-    pub rows: SmallVec<[MeasureRow; 3]>,
+    pub rows: SmallVec<[MeasureRow; 2]>,
 }
 
 impl MeasureRow {

@@ -17,7 +17,7 @@ pub use expression_rows::ExpressionRows;
 pub use measure::{Measure, MeasureKind, Measured};
 pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
 pub use rolling::RollingOnCircle;
-pub use time_function::TimeFunction;
+pub use time_function::{RateIntegral, TimeFunction};
 
 use crate::space::Space;
 use std::fmt::Debug;

@@ -4,6 +4,8 @@
 mod body;
 mod compiled;
 mod element;
+mod metric;
+mod plan;
 mod state;
 mod workspace;
 
@@ -12,5 +14,6 @@ pub mod compile;
 pub use body::BodyData;
 pub use compiled::{RowRef, System};
 pub use element::{Coordinate, ElementData, ForceData, MarkerData, Phase, Role, TraceData};
+pub use metric::Metric;
 pub use state::State;
 pub use workspace::Workspace;

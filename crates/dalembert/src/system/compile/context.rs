@@ -338,7 +338,7 @@ impl<'m> Context<'m> {
                 let program = self.time_program(value, dim, owner, path)?;
                 Some(match program.constant() {
                     Some(x) => TimeFunction::Constant(x),
-                    None => TimeFunction::Expression(program),
+                    None => TimeFunction::Expression(Box::new(program)),
                 })
             }
         }
@@ -504,8 +504,8 @@ impl<'m> Context<'m> {
         };
         system.position_weight = self.position_weight;
         system.velocity_weight = self.velocity_weight;
-        system.set_masses();
         system.set_size();
+        system.set_masses();
         drawing.add_elements(&system, &outlines);
         Ok(Compiled {
             drawing,
