@@ -53,14 +53,30 @@ impl Assembly {
         let mut ws = Workspace::new(&positions);
         let weights = Weights::new(&positions, &system.position_weight);
         let mut trial = Vec::new();
-        let newton = correct_positions(
+        let newton = match correct_positions(
             &positions,
             &mut ws,
             &mut state,
             &weights,
             &self.newton,
             &mut trial,
-        )?;
+        ) {
+            // A body of unknown angle turns first, but a turn reaches no farther than its arm: then
+            // everything moves alike.
+            Err(first @ AnalysisError::NotAssembled { .. }) if uneven(&system.position_weight) => {
+                state = system.estimate.clone();
+                correct_positions(
+                    &positions,
+                    &mut ws,
+                    &mut state,
+                    &Weights::even(&positions),
+                    &self.newton,
+                    &mut trial,
+                )
+                .map_err(|_| first)
+            }
+            other => other,
+        }?;
         report.iterations = newton.iterations;
         report.moved = moved(system, &system.estimate.q, &state.q, 1e-9);
 
@@ -94,6 +110,11 @@ impl Assembly {
         }
         Ok((state, report))
     }
+}
+
+/// Are some coordinates better known than others?
+fn uneven(knowledge: &[f64]) -> bool {
+    knowledge.iter().any(|w| *w != knowledge[0])
 }
 
 fn system_velocity_residual<S: Space>(
