@@ -1,7 +1,9 @@
 //! Forward dynamics: the augmented formulation in absolute coordinates, integrated with error
 //! control; positions and velocities projected.
 
+use super::least_reactions::LeastReactions;
 use super::newton::NewtonOptions;
+use super::open_reactions::{OpenReactions, at_time};
 use super::recorder::{Extra, Recorder, energies, outside_power};
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::integrate::{Dopri5, Ode, StepError};
@@ -68,7 +70,7 @@ impl Dynamics {
             newton: self.newton,
         }
         .run(system)?;
-        let notes = super::uniqueness::notes(system, &state);
+        let mut notes: Vec<String> = super::missing_mass::note(system).into_iter().collect();
         let running = system.running();
         let mut motion = Motion::new(&running, self);
         let (nq, nv) = (running.nq(), running.nv());
@@ -81,6 +83,8 @@ impl Dynamics {
         let start_energy = motion.energy(start, &y);
         let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
         let mut recorder = Recorder::new(true);
+        let mut least = LeastReactions::new(&running);
+        let mut open = OpenReactions::default();
         let (mut steps, mut rejected) = (0_usize, 0_usize);
         let mut stopped = None;
         let mut drift: f64 = 0.0;
@@ -130,9 +134,12 @@ impl Dynamics {
                 work: y[nq + nv],
                 start_energy: Some(start_energy),
             };
+            least.settle(&running, &mut motion.ws);
+            open.pose(&least.not_unique(&running), || at_time(t));
             recorder.record(&running, &motion.ws, &state, extra);
         }
         let mut results = recorder.into_results(&system.name, "simulate");
+        notes.extend(open.notes());
         results.notes = notes;
         for (name, value) in [
             ("steps", steps as f64),

@@ -1,7 +1,9 @@
 //! Kinematics of driven machines: positions, velocities, accelerations, and the forces that the
 //! motion takes.
 
+use super::least_reactions::LeastReactions;
 use super::newton::{NewtonOptions, correct_positions};
+use super::open_reactions::{OpenReactions, at_time};
 use super::recorder::{Extra, Recorder};
 use super::weights::Weights;
 use super::{AnalysisError, Assembly, AssemblyReport};
@@ -212,12 +214,14 @@ impl Kinematics {
             newton: self.newton,
         }
         .run(system)?;
-        let notes = super::uniqueness::notes(system, &state);
+        let mut notes: Vec<String> = super::missing_mass::note(system).into_iter().collect();
         let running = system.running();
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
         let mut recorder = Recorder::new(true);
         let mut forces = actuated.map(Actuated::new);
+        let mut least = LeastReactions::new(actuated.unwrap_or(&running));
+        let mut open = OpenReactions::default();
         let mut stopped = None;
         for (k, &t) in self.instants.iter().enumerate() {
             if k > 0
@@ -231,14 +235,19 @@ impl Kinematics {
                     stopped = Some(error);
                     break;
                 }
+                least.settle(forces.system, &mut forces.ws);
+                open.pose(&least.not_unique(forces.system), || at_time(t));
                 recorder.record(forces.system, &forces.ws, &state, Extra::default());
             } else {
                 runner.forces(&state);
+                least.settle(&running, &mut runner.ws);
+                open.pose(&least.not_unique(&running), || at_time(t));
                 recorder.record(&running, &runner.ws, &state, Extra::default());
             }
         }
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
+        notes.extend(open.notes());
         results.notes = notes;
         let instants = results.len();
         results

@@ -7,12 +7,14 @@ pub mod equations;
 mod error;
 mod inverse;
 mod kinematics;
+mod least_reactions;
 mod massless;
+mod missing_mass;
 mod mobility;
 mod newton;
+mod open_reactions;
 mod recorder;
 mod statics;
-mod uniqueness;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};

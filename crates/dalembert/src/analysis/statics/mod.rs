@@ -17,6 +17,7 @@ pub use report::{Equilibrium, StaticsReport};
 pub use stability::Stability;
 
 use super::newton::NewtonOptions;
+use super::open_reactions::OpenReactions;
 use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly};
 use crate::results::{Channel, Results};
@@ -230,6 +231,7 @@ impl Statics {
         }
         let verdict = judge(problem, solution)?;
         problem.evaluate(&solution.q)?;
+        let multipliers = problem.least_multipliers(&solution.lambda);
         let (stored, potential) = (problem.stored(), problem.potential());
         found.scale = found.scale.max(solution.scale);
         let scale = found.scale;
@@ -262,12 +264,7 @@ impl Statics {
         found.stored.push(stored);
         found.equilibria.push(Equilibrium {
             q: solution.q.clone(),
-            multipliers: solution
-                .lambda
-                .iter()
-                .zip(problem.row_unit.iter())
-                .map(|(l, u)| l / u)
-                .collect(),
+            multipliers,
             stability: verdict.stability,
             stiffness: verdict.eigenvalues,
             conservative: verdict.symmetric,
@@ -296,9 +293,9 @@ fn chief(equilibria: &[Equilibrium]) -> usize {
 /// One instant for each equilibrium.
 fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Results, AnalysisError> {
     let mut recorder = Recorder::new(true);
-    let mut not_unique: Vec<&str> = Vec::new();
+    let mut open = OpenReactions::default();
     let system = problem.system;
-    for e in equilibria {
+    for (k, e) in equilibria.iter().enumerate() {
         problem.evaluate(&e.q)?;
         problem.ws.a.fill(0.0);
         problem.ws.lambda.copy_from_slice(&e.multipliers);
@@ -308,13 +305,9 @@ fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Resul
             v: vec![0.0; e.q.len()],
         };
         recorder.record(system, &problem.ws, &state, Extra::default());
-        let motions = Motions::new(problem)?;
-        for (row, r) in system.row_refs().iter().enumerate() {
-            let name = system.elements[r.element].name.as_str();
-            if !motions.unique(row) && !not_unique.contains(&name) {
-                not_unique.push(name);
-            }
-        }
+        open.pose(&problem.not_unique(), || {
+            format!("at equilibrium {}", k + 1)
+        });
     }
     let mut results = recorder.into_results(&system.name, "statics");
     let mut put = |name: &str, unit: &str, meaning: &str, value: &dyn Fn(usize) -> f64| {
@@ -351,12 +344,7 @@ fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Resul
     results
         .statistics
         .insert("residual".to_owned(), first.residual);
-    if !not_unique.is_empty() {
-        results.notes.push(format!(
-            "redundant constraints: the reactions of {} are not unique; one possible set is given",
-            not_unique.join(", ")
-        ));
-    }
+    results.notes.extend(open.notes());
     for (k, e) in equilibria.iter().enumerate() {
         if !e.conservative {
             results.notes.push(format!(

@@ -50,10 +50,4 @@ impl Motions {
         }
         self.left.columns(0, self.rank) * part
     }
-
-    /// Is the multiplier of a row the same in every solution?
-    pub fn unique(&self, row: usize) -> bool {
-        let rows = self.left.nrows();
-        (self.rank..rows).all(|k| self.left[(row, k)].abs() < 1e-7)
-    }
 }

@@ -1,6 +1,7 @@
 //! A machine at rest, evaluated in comparable units.
 
 use crate::analysis::AnalysisError;
+use crate::analysis::least_reactions::LeastReactions;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
 use crate::solve::RankError;
@@ -26,6 +27,7 @@ pub(super) struct Problem<'a> {
     pub row_unit: DVector<f64>,
     pub newton: NewtonOptions,
     weights: Weights,
+    least: LeastReactions,
     state: State,
     trial: Vec<f64>,
 }
@@ -43,6 +45,7 @@ impl<'a> Problem<'a> {
             row_unit: DVector::from_fn(system.rows, |row, _| system.row_scale(row)),
             newton,
             weights: Weights::even(system),
+            least: LeastReactions::new(system),
             state: State {
                 t: system.estimate.t,
                 q: vec![0.0; system.nq()],
@@ -188,6 +191,24 @@ impl<'a> Problem<'a> {
     /// The scaled applied forces.
     pub fn forces(&self) -> DVector<f64> {
         DVector::from_fn(self.ws.force.len(), |k, _| self.ws.force[k] * self.unit[k])
+    }
+
+    /// Of the sets of multipliers (scaled; the answer is not) that balance the same forces at the
+    /// evaluated pose, the least one.
+    pub fn least_multipliers(&mut self, lambda: &DVector<f64>) -> Vec<f64> {
+        for ((to, l), u) in self.ws.lambda.iter_mut().zip(lambda).zip(&self.row_unit) {
+            *to = l / u;
+        }
+        self.least.settle(self.system, &mut self.ws);
+        self.ws.lambda.clone()
+    }
+
+    /// Names of the elements whose reactions are not unique at the evaluated pose.
+    pub fn not_unique(&mut self) -> Vec<&'a str> {
+        let lambda = self.ws.lambda.clone();
+        self.least.settle(self.system, &mut self.ws);
+        self.ws.lambda = lambda;
+        self.least.not_unique(self.system)
     }
 
     /// The scaled unbalanced force F = Q_e - C_q^T lambda at the evaluated pose (Shabana 6.171).
