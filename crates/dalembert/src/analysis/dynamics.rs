@@ -2,9 +2,12 @@
 //! control; positions and velocities projected.
 
 use super::least_reactions::LeastReactions;
+use super::meeting::Meeting;
 use super::newton::NewtonOptions;
 use super::open_reactions::{OpenReactions, at_time};
+use super::pace::{Limits, Pace};
 use super::recorder::{Extra, Recorder, energies, outside_power};
+use super::stiffest::{Stiffest, stiffest};
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::integrate::{Dopri5, Ode, StepError};
 use crate::model::Stabilization;
@@ -22,6 +25,8 @@ pub struct Dynamics {
     pub tolerance: f64,
     /// Largest step [s].
     pub max_step: f64,
+    /// Most steps.
+    pub max_steps: usize,
     /// How the constraints are kept.
     pub stabilization: Stabilization,
     /// Baumgarte's alpha and beta [1/s].
@@ -50,6 +55,7 @@ impl Dynamics {
             instants: options.instants(),
             tolerance: options.tolerance,
             max_step: options.max_step,
+            max_steps: options.max_steps,
             stabilization: options.stabilization,
             baumgarte: options.baumgarte,
             newton: NewtonOptions::of(options),
@@ -78,8 +84,21 @@ impl Dynamics {
         y[..nq].copy_from_slice(&state.q);
         y[nq..nq + nv].copy_from_slice(&state.v);
         let start = *self.instants.first().unwrap_or(&state.t);
+        let end = self.instants.last().copied().unwrap_or(start);
+        let mut pace = Pace::new(start, end, self.max_steps);
+        if let Some(least) = pace.too_many(self.max_step) {
+            return Err(AnalysisError::OutOfSteps {
+                time: start,
+                steps: 0,
+                detail: format!(
+                    "max_step = {:e} s takes at least {least:.1e} steps until {end} s, and {} are allowed; give a larger max_step, simulate fewer seconds, or allow more steps (analysis.max_steps)",
+                    self.max_step, self.max_steps
+                ),
+            });
+        }
         motion.evaluate(start, &y)?;
         running.update_markers(&state.q, &state.v, &mut motion.ws);
+        motion.meeting.step(&running, &motion.ws, start)?;
         let start_energy = motion.energy(start, &y);
         let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
         let mut recorder = Recorder::new(true);
@@ -93,22 +112,22 @@ impl Dynamics {
                 if steps.is_multiple_of(64) && !progress(integrator.t) {
                     break 'instants;
                 }
-                match integrator.step(&mut motion, self.instants.last().copied().unwrap_or(t)) {
+                if pace.over(integrator.t, steps, &integrator.stiffness) {
+                    stopped = Some(self.out_of_steps(&pace, &integrator, steps, &mut motion));
+                    break 'instants;
+                }
+                match integrator.step(&mut motion, end) {
                     Ok(report) => {
                         steps += 1;
                         rejected += report.rejected;
                         drift = drift.max(motion.drift);
+                        if let Err(error) = motion.passed(integrator.t) {
+                            stopped = Some(error);
+                            break 'instants;
+                        }
                     }
                     Err(StepError::TooSmall { step, cause }) => {
-                        let detail = match cause {
-                            Some(error) => error.to_string(),
-                            None => "the forces or the motion are too rough for the tolerance: look for a stiff spring, a jump in a force, or a singular pose near here".to_owned(),
-                        };
-                        stopped = Some(AnalysisError::StepTooSmall {
-                            time: integrator.t,
-                            step,
-                            detail,
-                        });
+                        stopped = Some(motion.too_small(&integrator, step, cause));
                         break 'instants;
                     }
                 }
@@ -140,6 +159,10 @@ impl Dynamics {
         }
         let mut results = recorder.into_results(&system.name, "simulate");
         notes.extend(open.notes());
+        if stopped.is_none() && integrator.stiffness.since.is_some() {
+            let fastest = motion.stiffest(integrator.t, &integrator.y);
+            notes.extend(Pace::note(steps, &integrator.stiffness, fastest.as_ref()));
+        }
         results.notes = notes;
         for (name, value) in [
             ("steps", steps as f64),
@@ -159,6 +182,29 @@ impl Dynamics {
     }
 }
 
+impl Dynamics {
+    /// Why a run ends before its last instant for want of steps.
+    fn out_of_steps(
+        &self,
+        pace: &Pace,
+        integrator: &Dopri5,
+        steps: usize,
+        motion: &mut Motion<'_>,
+    ) -> AnalysisError {
+        let limits = Limits {
+            max_step: self.max_step,
+            baumgarte: self.stabilization == Stabilization::Baumgarte,
+        };
+        let fastest = motion.stiffest(integrator.t, &integrator.y);
+        let (t, stiffness) = (integrator.t, &integrator.stiffness);
+        AnalysisError::OutOfSteps {
+            time: t,
+            steps,
+            detail: pace.reason(t, steps, &limits, stiffness, fastest.as_ref()),
+        }
+    }
+}
+
 /// The equations of motion as an ordinary differential equation in (q, v, work).
 #[derive(Debug)]
 pub struct Motion<'a> {
@@ -174,6 +220,7 @@ pub struct Motion<'a> {
     rate: Vec<f64>,
     zero: Vec<f64>,
     tolerance: f64,
+    meeting: Meeting,
 }
 
 impl<'a> Motion<'a> {
@@ -189,6 +236,7 @@ impl<'a> Motion<'a> {
             projections: 0,
             rate: vec![0.0; system.rows],
             zero: vec![0.0; system.nv()],
+            meeting: Meeting::new(system),
             tolerance: (1e-3 * options.tolerance).clamp(1e-14, 1e-11),
         }
     }
@@ -206,6 +254,7 @@ impl<'a> Motion<'a> {
         let (q, v) = self.split(y);
         let (system, ws) = (self.system, &mut self.ws);
         system.update_active_markers(q, v, ws);
+        self.meeting.check(system, ws, t)?;
         system.evaluate_constraints(t, ws);
         system.evaluate_forces(t, ws);
         ws.rhs.copy_from_slice(&ws.qd);
@@ -226,6 +275,57 @@ impl<'a> Motion<'a> {
             return Ok(());
         }
         Err(self.not_finite(t))
+    }
+
+    /// The state in a vector of the integrator.
+    fn state(&self, t: f64, y: &[f64]) -> State {
+        let (q, v) = self.split(y);
+        State {
+            t,
+            q: q.to_vec(),
+            v: v.to_vec(),
+        }
+    }
+
+    /// The force element with the fastest motion at a state.
+    fn stiffest(&mut self, t: f64, y: &[f64]) -> Option<Stiffest> {
+        let state = self.state(t, y);
+        stiffest(self.system, &mut self.ws, &state)
+    }
+
+    /// Refuses an accepted step, whose markers the workspace holds, in which points met.
+    fn passed(&mut self, t: f64) -> Result<(), AnalysisError> {
+        self.meeting.step(self.system, &self.ws, t)
+    }
+
+    /// Why no step is small enough.
+    fn too_small(
+        &mut self,
+        integrator: &Dopri5,
+        step: f64,
+        cause: Option<AnalysisError>,
+    ) -> AnalysisError {
+        if let Some(met @ AnalysisError::NoDirection { .. }) = cause {
+            return met;
+        }
+        let state = self.state(integrator.t, &integrator.y);
+        // The step shrinks geometrically on its way to the meeting.
+        let horizon = (16.0 * step).max(1e-9 * integrator.t.abs());
+        if let Some(met) = self
+            .meeting
+            .ahead(self.system, &mut self.ws, &state, horizon)
+        {
+            return met;
+        }
+        let detail = match cause {
+            Some(error) => error.to_string(),
+            None => "the forces or the motion are too rough for the tolerance: look for a stiff spring, a jump in a force, or a singular pose near here".to_owned(),
+        };
+        AnalysisError::StepTooSmall {
+            time: integrator.t,
+            step,
+            detail,
+        }
     }
 
     fn not_finite(&self, t: f64) -> AnalysisError {

@@ -2,6 +2,7 @@
 //! statics, equations. Each analysis is a small struct of options with a `run`.
 
 mod assembly;
+mod changed_rate;
 mod dynamics;
 pub mod equations;
 mod error;
@@ -9,15 +10,19 @@ mod inverse;
 mod kinematics;
 mod least_reactions;
 mod massless;
+mod meeting;
 mod missing_mass;
 mod mobility;
 mod newton;
 mod open_reactions;
+mod pace;
 mod recorder;
 mod statics;
+mod stiffest;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
+pub use changed_rate::ChangedRate;
 pub use dynamics::{Dynamics, DynamicsReport, Motion};
 pub use equations::{EquationBasis, Equations, EquationsReport, ReferenceFrame};
 pub use error::AnalysisError;

@@ -2,6 +2,7 @@
 
 use crate::analysis::AnalysisError;
 use crate::analysis::least_reactions::LeastReactions;
+use crate::analysis::meeting::Meeting;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
 use crate::solve::RankError;
@@ -28,6 +29,7 @@ pub(super) struct Problem<'a> {
     pub newton: NewtonOptions,
     weights: Weights,
     least: LeastReactions,
+    meeting: Meeting,
     state: State,
     trial: Vec<f64>,
 }
@@ -46,6 +48,7 @@ impl<'a> Problem<'a> {
             newton,
             weights: Weights::even(system),
             least: LeastReactions::new(system),
+            meeting: Meeting::new(system),
             state: State {
                 t: system.estimate.t,
                 q: vec![0.0; system.nq()],
@@ -84,6 +87,7 @@ impl<'a> Problem<'a> {
     /// Markers, constraints and forces at a pose, all velocities zero.
     pub fn evaluate(&mut self, q: &[f64]) -> Result<(), AnalysisError> {
         self.system.update_markers(q, &self.state.v, &mut self.ws);
+        self.meeting.check(self.system, &self.ws, self.state.t)?;
         self.system.evaluate_constraints(self.state.t, &mut self.ws);
         self.system.evaluate_forces(self.state.t, &mut self.ws);
         let ws = &self.ws;
