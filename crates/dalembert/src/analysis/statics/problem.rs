@@ -197,6 +197,41 @@ impl<'a> Problem<'a> {
         DVector::from_fn(self.ws.force.len(), |k, _| self.ws.force[k] * self.unit[k])
     }
 
+    /// Multipliers and unbalanced force, both scaled, of the evaluated pose: the force that is left
+    /// in the free motions, by the sparse solver. `None` where rows depend on each other.
+    pub fn balance(&mut self) -> Option<(DVector<f64>, DVector<f64>)> {
+        let factored = self.ws.factor(&self.weights.inverse);
+        if !factored.vanished.is_empty() || !factored.zero.is_empty() {
+            return None;
+        }
+        self.ws.rhs.fill(0.0);
+        if !self.ws.solve_forces(&self.weights.blocks).converged {
+            return None;
+        }
+        let lambda = self.ws.lambda.iter().zip(&self.row_unit);
+        let lambda = DVector::from_iterator(self.system.rows, lambda.map(|(l, u)| l * u));
+        let unbalanced = self.unbalanced(&lambda);
+        Some((lambda, unbalanced))
+    }
+
+    /// The free motion at the evaluated pose that comes nearest to a wanted scaled step, each
+    /// coordinate of a body counting by its weight.
+    pub fn nearest_motion(&mut self, wanted: &DVector<f64>, weight: &DVector<f64>) -> DVector<f64> {
+        let bodies = self.system.bodies.len();
+        let (mut blocks, mut inverse) = (vec![0.0; 9 * bodies], vec![0.0; 9 * bodies]);
+        let mut f = vec![0.0; self.system.nv()];
+        for k in 0..3 * bodies {
+            let w = weight[k] / (self.unit[k] * self.unit[k]);
+            blocks[3 * k + k % 3] = w;
+            inverse[3 * k + k % 3] = 1.0 / w;
+            f[k] = w * wanted[k] * self.unit[k];
+        }
+        self.ws.factor(&inverse);
+        self.ws.rhs.fill(0.0);
+        self.ws.solve(&blocks, &f);
+        DVector::from_fn(self.unit.len(), |k, _| self.ws.a[k] / self.unit[k])
+    }
+
     /// Of the sets of multipliers (scaled; the answer is not) that balance the same forces at the
     /// evaluated pose, the least one.
     pub fn least_multipliers(&mut self, lambda: &DVector<f64>) -> Vec<f64> {
