@@ -13,6 +13,7 @@ mod massless;
 mod meeting;
 mod missing_mass;
 mod mobility;
+mod motion;
 mod newton;
 mod open_reactions;
 mod pace;
@@ -23,7 +24,7 @@ mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
 pub use changed_rate::ChangedRate;
-pub use dynamics::{Dynamics, DynamicsReport, Motion};
+pub use dynamics::{Dynamics, DynamicsReport};
 pub use equations::{EquationBasis, Equations, EquationsReport, ReferenceFrame};
 pub use error::AnalysisError;
 pub use inverse::Inverse;
@@ -33,6 +34,7 @@ pub use mobility::{
     MobilityReport, Rank, SingularKind, SingularPose, SweepOptions, conflicts,
     driver_singularities,
 };
+pub use motion::Motion;
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::{Extra, Recorder};
 pub use statics::{

@@ -287,10 +287,11 @@ impl Dopri5 {
         let (mut slopes, mut states) = (0.0, 0.0);
         for (i, scale) in self.scales.iter().enumerate() {
             let slope = (self.k[6][i] - self.k[5][i]) / scale;
-            let mut state = A[6][5] * self.k[5][i];
-            for s in 0..5 {
-                state += (A[6][s] - A[5][s]) * self.k[s][i];
-            }
+            let weights = A[6].iter().zip(&A[5]);
+            let state: f64 = weights
+                .zip(&self.k)
+                .map(|((last, before), k)| (last - before) * k[i])
+                .sum();
             let state = h * state / scale;
             slopes += slope * slope;
             states += state * state;

@@ -13,13 +13,16 @@ const REACHED: f64 = 1e-6;
 /// Steps of a walk: half a radian each, once around and as many again.
 const STEPS: usize = 30;
 
+/// Solves for the equilibrium near a pose.
+type Settle<'a> = dyn Fn(&mut Problem<'_>, &[f64]) -> Result<Solution, AnalysisError> + 'a;
+
 /// Is there a way from an equilibrium to a pose that stays in equilibrium? It is looked for step by
 /// step along the neutral motions, each step corrected to equilibrium by `settle`.
 pub(super) fn connected(
     problem: &mut Problem<'_>,
     from: &[f64],
     to: &[f64],
-    settle: &dyn Fn(&mut Problem<'_>, &[f64]) -> Result<Solution, AnalysisError>,
+    settle: &Settle<'_>,
 ) -> bool {
     walk(problem, from, to, settle).unwrap_or(false)
 }
@@ -28,7 +31,7 @@ fn walk(
     problem: &mut Problem<'_>,
     from: &[f64],
     to: &[f64],
-    settle: &dyn Fn(&mut Problem<'_>, &[f64]) -> Result<Solution, AnalysisError>,
+    settle: &Settle<'_>,
 ) -> Result<bool, AnalysisError> {
     let mut q = from.to_vec();
     let weights = weights(problem);
