@@ -70,7 +70,7 @@ mod tests {
             // Every third step is a little shorter.
             test.step(f64::from(k), if k % 3 == 0 { 0.9 } else { 1.0 }, 3.4);
         }
-        assert_eq!(test.since, Some(21.0));
+        assert_eq!(test.since, Some(22.0));
         assert_eq!(test.streak, 66);
         assert_eq!(test.steps, 66);
     }
