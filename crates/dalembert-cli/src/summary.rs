@@ -44,14 +44,12 @@ pub fn assembly(report: &AssemblyReport) -> Vec<String> {
             report.moved.len() - 4
         ));
     }
-    for m in &report.velocities_changed {
-        lines.push(format!(
-            "the given velocity of {} was changed by {} m/s and {} rad/s to fit the constraints",
-            m.body,
-            number(m.distance),
-            number(m.turn)
-        ));
-    }
+    lines.extend(
+        report
+            .rates_changed
+            .iter()
+            .map(|rate| format!("warning: {rate}")),
+    );
     lines.extend(
         report
             .velocity_conflict
@@ -121,6 +119,15 @@ pub fn errors(results: &Results) -> Vec<(&Channel, f64)> {
         .collect()
 }
 
+/// Prints a note, or a warning as such.
+pub fn tell(note: &str) {
+    if note.starts_with("warning: ") {
+        say!("  {note}");
+    } else {
+        say!("  note: {note}");
+    }
+}
+
 /// "written: a.csv, b.svg".
 pub fn files(written: &[PathBuf]) -> String {
     let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
@@ -187,7 +194,7 @@ pub fn report(
         let reason = stopped.as_ref().map(ToString::to_string);
         let told = results.notes.iter().filter(|n| Some(*n) != reason.as_ref());
         for note in told {
-            say!("  note: {note}");
+            tell(note);
         }
         if !written.is_empty() {
             say!("{}", files(&written));

@@ -110,6 +110,6 @@ fn print_report(report: &StaticsReport, names: &[String]) {
         }
     }
     for note in &report.results.notes {
-        say!("  note: {note}");
+        summary::tell(note);
     }
 }

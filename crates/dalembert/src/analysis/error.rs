@@ -74,6 +74,28 @@ pub enum AnalysisError {
         /// What was seen and what to try.
         detail: String,
     },
+    /// The simulation used up its steps, or would do so long before its end.
+    #[error("the simulation stopped at t = {time:.6} s after {steps} step{}: {detail}", if *steps == 1 { "" } else { "s" })]
+    OutOfSteps {
+        /// Time [s].
+        time: f64,
+        /// Steps made.
+        steps: usize,
+        /// What held it up and what to do.
+        detail: String,
+    },
+    /// Two points met between which an element has its direction.
+    #[error(
+        "at t = {time:.6} s the two points of {element} meet: their distance has no direction there; {remedy}"
+    )]
+    NoDirection {
+        /// The element in words.
+        element: String,
+        /// Time [s].
+        time: f64,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// No static equilibrium was found.
     #[error(
         "no static equilibrium was found: {reason}; what remains at {coordinate} is {residual:.3e} N or N m"

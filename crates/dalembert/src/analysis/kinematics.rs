@@ -1,7 +1,10 @@
 //! Kinematics of driven machines: positions, velocities, accelerations, and the forces that the
 //! motion takes.
 
+use super::least_reactions::LeastReactions;
+use super::meeting::Meeting;
 use super::newton::{NewtonOptions, correct_positions};
+use super::open_reactions::{OpenReactions, at_time};
 use super::recorder::{Extra, Recorder};
 use super::weights::Weights;
 use super::{AnalysisError, Assembly, AssemblyReport};
@@ -212,17 +215,31 @@ impl Kinematics {
             newton: self.newton,
         }
         .run(system)?;
-        let notes = super::uniqueness::notes(system, &state);
+        let mut notes: Vec<String> = super::missing_mass::note(system).into_iter().collect();
         let running = system.running();
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
         let mut recorder = Recorder::new(true);
         let mut forces = actuated.map(Actuated::new);
+        let mut least = LeastReactions::new(actuated.unwrap_or(&running));
+        let mut open = OpenReactions::default();
+        let meeting = Meeting::new(&running);
         let mut stopped = None;
         for (k, &t) in self.instants.iter().enumerate() {
-            if k > 0
-                && let Err(error) = runner.advance(&mut state, t)
-            {
+            let from = state.t;
+            let reached = if k > 0 {
+                runner.advance(&mut state, t)
+            } else {
+                Ok(())
+            };
+            if let Err(error) = reached {
+                // The way to a meeting ends one shortest interval before it.
+                let horizon = 2e-3 * (t - from);
+                let met = meeting.ahead(&running, &mut runner.ws, &state, horizon);
+                stopped = Some(met.unwrap_or(error));
+                break;
+            }
+            if let Err(error) = meeting.check(&running, &runner.ws, t) {
                 stopped = Some(error);
                 break;
             }
@@ -231,14 +248,24 @@ impl Kinematics {
                     stopped = Some(error);
                     break;
                 }
+                least.settle(forces.system, &mut forces.ws);
+                open.pose(&least.not_unique(forces.system), || at_time(t));
                 recorder.record(forces.system, &forces.ws, &state, Extra::default());
             } else {
                 runner.forces(&state);
+                least.settle(&running, &mut runner.ws);
+                open.pose(&least.not_unique(&running), || at_time(t));
                 recorder.record(&running, &runner.ws, &state, Extra::default());
             }
         }
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
+        notes.extend(open.notes());
+        if running.nv() > DENSE {
+            notes.push(format!(
+                "warning: not checked for singular poses between the instants: the machine has more than {DENSE} coordinates"
+            ));
+        }
         results.notes = notes;
         let instants = results.len();
         results
@@ -352,7 +379,18 @@ impl<'a> Runner<'a> {
                 Ok(report) if self.near(state, &next) => {
                     self.iterations += report.iterations;
                     self.motion(&mut next);
-                    if !self.watch.rows.is_empty() {
+                    if self.watch.rows.is_empty() {
+                        // Large machines: a pose is looked at itself, not the way to it.
+                        let rank = self.ws.saddle.factored().rank();
+                        if rank < self.system.nv() {
+                            if h <= smallest {
+                                return Err(self.singular(next.t, start));
+                            }
+                            h *= 0.5;
+                            self.substeps += 1;
+                            continue;
+                        }
+                    } else {
                         let c = scaled_jacobian(self.system, &self.ws);
                         self.watch.look(&c);
                         let mut crossed = sign * self.watch.sign < 0.0;

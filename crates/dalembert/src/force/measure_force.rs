@@ -1,7 +1,7 @@
 //! Force elements along a scalar measure: springs, dampers, actuators.
 
 use super::{ForceChannel, ForceElement, ForceReport};
-use crate::joint::Measure;
+use crate::joint::{Measure, MeasureKind};
 use crate::signal::Coefficient;
 use crate::space::{Planar, PlanarMarker};
 use nalgebra::Vector3;
@@ -51,6 +51,15 @@ impl ForceElement<Planar> for MeasureForce {
         out[second] -= f * m.second;
     }
 
+    fn distances(&self) -> Vec<Measure> {
+        let distance = self.measure.kind == MeasureKind::Distance;
+        distance.then_some(self.measure).into_iter().collect()
+    }
+
+    fn pulls_at_zero(&self, t: f64, markers: &[PlanarMarker]) -> bool {
+        self.force(t, markers, 0.0, 0.0) != 0.0
+    }
+
     fn report(&self, t: f64, markers: &[PlanarMarker]) -> ForceReport {
         let Measure {
             kind,
@@ -76,7 +85,7 @@ impl ForceElement<Planar> for MeasureForce {
 
     fn channels(&self) -> Vec<ForceChannel> {
         let angle = self.measure.kind.is_angle();
-        let length = self.measure.kind == crate::joint::MeasureKind::Distance;
+        let length = self.measure.kind == MeasureKind::Distance;
         let (name, unit, rate_unit, force_unit) = match (angle, length) {
             (true, _) => ("angle", "rad", "rad/s", "N m"),
             (false, true) => ("length", "m", "m/s", "N"),

@@ -1,6 +1,8 @@
 //! User constraints: an expression of time and of positions stays zero.
 
-use super::{ConstraintElement, ConstraintInput, ConstraintOutput, RowLabel, RowUnit};
+use super::{
+    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, MeasureKind, RowLabel, RowUnit,
+};
 use crate::signal::{MAX_INPUTS, Signal, SignalKind};
 use crate::space::Planar;
 use dalembert_expr::{Jet2, Program};
@@ -23,6 +25,14 @@ impl ConstraintElement<Planar> for ExpressionRows {
             text: self.program.text().to_owned(),
             unit: RowUnit::Other,
         }]
+    }
+
+    fn distances(&self) -> Vec<Measure> {
+        let values = self.inputs.iter().filter(|s| s.kind == SignalKind::Value);
+        let measures = values.map(|s| s.measure);
+        measures
+            .filter(|m| m.kind == MeasureKind::Distance)
+            .collect()
     }
 
     fn evaluate(

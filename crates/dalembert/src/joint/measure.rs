@@ -106,8 +106,8 @@ impl MeasureKind {
             }
             Self::Distance => {
                 let l = d.norm();
-                // The direction of coincident points is undefined: no gradient, and the compiler
-                // of models refuses zero lengths, so the state is off every valid pose.
+                // The direction of coincident points is undefined: no gradient. The compiler of
+                // models refuses such estimates, and analyses end where points meet.
                 if l == 0.0 {
                     return Measured::default();
                 }

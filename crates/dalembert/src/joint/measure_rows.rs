@@ -1,7 +1,8 @@
 //! Rows that are weighted sums of measures: most joints, drivers, couplers, gears, racks.
 
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, RowLabel, RowUnit, TimeFunction,
+    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, MeasureKind, RowLabel, RowUnit,
+    TimeFunction,
 };
 use crate::space::{Planar, PlanarMarker};
 use smallvec::SmallVec;
@@ -105,6 +106,14 @@ impl ConstraintElement<Planar> for MeasureRows {
                 text: r.label.clone(),
                 unit: r.unit(),
             })
+            .collect()
+    }
+
+    fn distances(&self) -> Vec<Measure> {
+        let terms = self.rows.iter().flat_map(|row| &row.terms);
+        let measures = terms.map(|term| term.measure);
+        measures
+            .filter(|m| m.kind == MeasureKind::Distance)
             .collect()
     }
 

@@ -80,6 +80,10 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     }
     /// Residual and derivatives at a state.
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>);
+    /// Distances among its rows: the points of each must stay apart.
+    fn distances(&self) -> Vec<Measure> {
+        Vec::new()
+    }
     /// Closed curve that the element gives to the body of its first marker, in the marker's axes, for
     /// the picture [m]; empty for most.
     fn outline(&self) -> Vec<[f64; 2]> {

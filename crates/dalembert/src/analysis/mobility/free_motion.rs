@@ -43,7 +43,7 @@ struct Candidate {
 const SILENT: f64 = 1e-6;
 
 /// Describes free motions (columns of `motions`, user's units) at the markers of a workspace.
-pub(super) fn describe(
+pub(in crate::analysis) fn describe(
     system: &System<Planar>,
     ws: &Workspace<Planar>,
     motions: &DMatrix<f64>,
