@@ -66,6 +66,6 @@ pub use program::Program;
 pub use quantity::Quantity;
 pub use scope::{EmptyScope, Function, Resolved, Scope, UnknownName};
 pub use spline::{Spline, SplineError};
-pub use suggest::nearest;
+pub use suggest::{matches, nearest, nearest_to_pattern};
 pub use syntax::is_identifier;
 pub use unit::Unit;

@@ -17,4 +17,3 @@ pub mod signal;
 pub mod solve;
 pub mod space;
 pub mod system;
-pub mod text;

@@ -1,11 +1,12 @@
 //! One value of the file with its place, and how it is read as a number, text, list or table.
 
 use super::context::Context;
+use super::listed::listed;
 use super::names::{Reference, Section};
-use super::suggest::{listed, nearest};
 use super::table_reader::TableReader;
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::{Point, Value};
+use dalembert_expr::nearest;
 use std::rc::Rc;
 use toml::de::DeValue;
 
@@ -244,7 +245,7 @@ impl<'a> Item<'a> {
 pub(super) fn did_you_mean<'b>(word: &str, allowed: impl Iterator<Item = &'b str>) -> String {
     let allowed: Vec<&str> = allowed.collect();
     let list = listed(allowed.iter().copied());
-    match nearest(word, allowed) {
+    match nearest(word, allowed).first() {
         Some(near) => format!("did you mean `{near}`? allowed here: {list}"),
         None => format!("allowed here: {list}"),
     }

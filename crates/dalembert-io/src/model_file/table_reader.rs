@@ -2,11 +2,12 @@
 
 use super::context::Context;
 use super::item::{Item, Place, did_you_mean};
+use super::listed::listed;
 use super::names::{NameOf, Section, is_bad_name};
 use super::source_map::child;
-use super::suggest::{listed, nearest};
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::{Point, Value};
+use dalembert_expr::nearest;
 use toml::de::{DeTable, DeValue};
 
 /// Reads a table key by key. [`TableReader::finish`] reports the keys that nobody asked for, and
@@ -186,7 +187,7 @@ impl<'a> TableReader<'a> {
                 &format!("there is no kind `{word}`"),
                 Some(did_you_mean(word, words())),
             );
-            found = nearest(word, words()).and_then(of);
+            found = nearest(word, words()).first().copied().and_then(of);
         }
         found.map(|(_, kind)| *kind)
     }
@@ -223,7 +224,7 @@ impl<'a> TableReader<'a> {
                 .copied()
                 .filter(|k| !self.table.contains_key(*k));
             // A misspelt needed key is one mistake, not two.
-            if let Some(meant) = nearest(key, free) {
+            if let Some(&meant) = nearest(key, free).first() {
                 missing.retain(|k| *k != meant);
                 misspelt.push(meant);
             }
