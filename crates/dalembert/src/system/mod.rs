@@ -4,6 +4,7 @@
 mod body;
 mod compiled;
 mod element;
+mod row_scales;
 mod state;
 mod workspace;
 

@@ -521,6 +521,7 @@ impl<'m> Context<'m> {
         system.velocity_weight = self.velocity_weight;
         system.set_masses();
         system.set_size();
+        system.set_row_scales();
         drawing.add_elements(&system, &outlines);
         Ok(Compiled {
             drawing,
