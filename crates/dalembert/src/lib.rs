@@ -17,3 +17,4 @@ pub mod signal;
 pub mod solve;
 pub mod space;
 pub mod system;
+pub mod words;

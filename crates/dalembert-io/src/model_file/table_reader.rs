@@ -148,7 +148,7 @@ impl<'a> TableReader<'a> {
                 "bad-name",
                 "a name must not be empty, start or end with a space, or contain a dot, a quote \
                  or a line break",
-                None,
+                "choose another name, such as `crank_2`",
             );
             return String::new();
         }
@@ -185,7 +185,7 @@ impl<'a> TableReader<'a> {
             item.error(
                 "unknown-kind",
                 &format!("there is no kind `{word}`"),
-                Some(did_you_mean(word, words())),
+                did_you_mean(word, words()),
             );
             found = nearest(word, words()).first().copied().and_then(of);
         }
@@ -237,11 +237,10 @@ impl<'a> TableReader<'a> {
         }
         for key in missing {
             let message = self.place.message(&format!("the key `{key}` is missing"));
-            self.context.report(Diagnostic::error(
-                "missing-key",
-                self.place.path.clone(),
-                message,
-            ));
+            let help = format!("add a line `{key} = ...`");
+            self.context.report(
+                Diagnostic::error("missing-key", self.place.path.clone(), message).help(help),
+            );
         }
         misspelt
     }

@@ -15,10 +15,8 @@ pub struct UnknownChannel {
     pub pattern: String,
     /// Names of channels that come close, the closest first.
     pub suggestions: Vec<String>,
-    /// The first channels that there are.
-    pub known: Vec<String>,
-    /// How many more there are.
-    pub unlisted: usize,
+    /// Channels that there are, listed.
+    pub known: String,
 }
 
 /// The channels that match any of the patterns, in order of the patterns, each once.
@@ -47,8 +45,7 @@ pub fn select<'a>(
                     .into_iter()
                     .map(str::to_owned)
                     .collect(),
-                known: names().take(MOST_LISTED).map(str::to_owned).collect(),
-                unlisted: results.channels.len().saturating_sub(MOST_LISTED),
+                known: some_of(&names().collect::<Vec<&str>>()),
             });
         }
         for channel in matching {
@@ -64,10 +61,16 @@ fn hint(error: &UnknownChannel) -> String {
     if !error.suggestions.is_empty() {
         return format!("; did you mean {}?", error.suggestions.join(", "));
     }
-    let known = error.known.join(", ");
-    match error.unlisted {
-        _ if known.is_empty() => "; there are no channels".to_owned(),
-        0 => format!("; the channels are: {known}"),
-        more => format!("; there are {known} and {more} more (`*` stands for any text)"),
+    if error.known.is_empty() {
+        return "; there are no channels".to_owned();
+    }
+    format!("; the channels are: {}", error.known)
+}
+
+/// Names as a list, of which a long one tells only the first.
+pub fn some_of(names: &[&str]) -> String {
+    match names.len().saturating_sub(MOST_LISTED) {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names[..MOST_LISTED].join(", ")),
     }
 }

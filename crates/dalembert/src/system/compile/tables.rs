@@ -3,6 +3,7 @@
 use super::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Interpolation, Table, Value};
+use crate::words::counted;
 use dalembert_expr::{Function, Quantity, Spline, Unit};
 use std::sync::Arc;
 
@@ -45,7 +46,7 @@ impl Context<'_> {
                 Diagnostic::error(
                     "table-length",
                     path,
-                    format!("{owner}: x has {x} values and y has {y}"),
+                    format!("{owner}: x has {} and y has {y}", counted(x, "value")),
                 )
                 .help("give as many y as x"),
             );
