@@ -46,10 +46,10 @@ fn all_syntax_errors() {
     assert_eq!(
         findings(text),
         [
-            "toml-syntax 2:10 not valid TOML: invalid basic string, expected `\"` | -",
+            "toml-syntax 2:10 not valid TOML: invalid basic string, expected `\"` | texts, units and expressions stand in quotes, for example \"30 deg\"",
             "toml-syntax 3:9 not valid TOML: string values must be quoted, expected literal string | texts, units and expressions stand in quotes, for example \"30 deg\"",
             "toml-syntax 6:8 not valid TOML: string values must be quoted, expected literal string | texts, units and expressions stand in quotes, for example \"30 deg\"",
-            "toml-syntax 8:1 not valid TOML: duplicate key | -",
+            "toml-syntax 8:1 not valid TOML: duplicate key | a key stands only once in a section: remove one of the lines, or begin a new section above",
         ]
     );
 }
@@ -58,7 +58,9 @@ fn all_syntax_errors() {
 fn an_unclosed_list_is_one_mistake() {
     check(
         "[[body]]\nname = \"a\"\nposition = [0, 1\nmass = 1\nangle = 2\n",
-        &["toml-syntax 6:1 not valid TOML: missing comma between array elements, expected `,` | -"],
+        &[
+            "toml-syntax 6:1 not valid TOML: missing comma between array elements, expected `,` | a list stands in brackets with commas, for example [0, \"30 mm\"]",
+        ],
     );
 }
 
@@ -128,7 +130,7 @@ fn unknown_kind() {
     check(
         "[[constraint]]\nname = \"c\"\nkind = \"coupeler\"\nzzz = 1\n",
         &[
-            "missing-key 3:1 constraint \"c\": the key `terms` is missing | -",
+            "missing-key 3:1 constraint \"c\": the key `terms` is missing | add `terms = ...`",
             "unknown-kind 5:8 constraint \"c\": `kind`: there is no kind `coupeler` | did you mean `coupler`? allowed here: `fixed`, `coupler`, `expression`",
             "unknown-key 6:1 constraint \"c\": unknown key `zzz` | allowed here: `name`, `kind`, `terms`, `value`",
         ],
@@ -159,8 +161,8 @@ fn missing_keys() {
     check(
         "[[trace]]\nat = [0, 0]\n",
         &[
-            "missing-key 3:1 trace number 1: the key `name` is missing | -",
-            "missing-key 3:1 trace number 1: the key `body` is missing | -",
+            "missing-key 3:1 trace number 1: the key `name` is missing | add `name = ...`",
+            "missing-key 3:1 trace number 1: the key `body` is missing | add `body = ...`",
         ],
     );
 }
@@ -186,14 +188,14 @@ fn wrong_types() {
     check(
         "[[body]]\nname = 1\nmass = [1]\ninertia = 1979-05-27\nangle = true\nposition = \"a\"\nfixed = \"yes\"\nhold = [1]\nshape = 3\n",
         &[
-            "wrong-type 4:8 body number 1: `name`: expected a text, found a number | -",
-            "wrong-type 5:8 body number 1: `mass`: expected a number or a text like \"30 deg\", found a list | -",
-            "wrong-type 6:11 body number 1: `inertia`: expected a number or a text like \"30 deg\", found a date or time | -",
-            "wrong-type 7:9 body number 1: `angle`: expected a number or a text like \"30 deg\", found `true` or `false` | -",
-            "wrong-type 8:12 body number 1: `position`: expected a list of 2 numbers, found a text | -",
-            "wrong-type 9:9 body number 1: `fixed`: expected `true` or `false`, found a text | -",
-            "wrong-type 10:9 body number 1: `hold[0]`: expected one of `x`, `y`, `angle`, found a number | -",
-            "wrong-type 11:9 body number 1: `shape`: expected a table or a list of tables, found a number | -",
+            "wrong-type 4:8 body number 1: `name`: expected a text, found a number | write a text",
+            "wrong-type 5:8 body number 1: `mass`: expected a number or a text like \"30 deg\", found a list | write a number or a text like \"30 deg\"",
+            "wrong-type 6:11 body number 1: `inertia`: expected a number or a text like \"30 deg\", found a date or time | texts stand in quotes",
+            "wrong-type 7:9 body number 1: `angle`: expected a number or a text like \"30 deg\", found `true` or `false` | write a number or a text like \"30 deg\"",
+            "wrong-type 8:12 body number 1: `position`: expected a list of 2 numbers, found a text | write a list of 2 numbers",
+            "wrong-type 9:9 body number 1: `fixed`: expected `true` or `false`, found a text | write `true` or `false`",
+            "wrong-type 10:9 body number 1: `hold[0]`: expected one of `x`, `y`, `angle`, found a number | write one of `x`, `y`, `angle`",
+            "wrong-type 11:9 body number 1: `shape`: expected a table or a list of tables, found a number | write a table or a list of tables",
         ],
     );
     check(
@@ -216,7 +218,9 @@ fn wrong_types() {
 fn wrong_lengths() {
     assert_eq!(
         findings("[model]\nname = \"m\"\ngravity = [0, 0, -9.81]\n"),
-        ["wrong-length 3:11 section [model]: `gravity`: expected 2 entries, found 3 | -"]
+        [
+            "wrong-length 3:11 section [model]: `gravity`: expected 2 entries, found 3 | write [x, y]: the model is planar"
+        ]
     );
     assert_eq!(
         findings("[model]\nname = \"m\"\nspace = \"spatial\"\ngravity = [0, -9.81]\n"),
@@ -250,10 +254,10 @@ fn numbers_must_be_finite() {
     check(
         "[parameters]\na = inf\nb = -nan\nc = 1e999\nd = 123456789012345678901234567890\ne = 0x10\nf = -3\n",
         &[
-            "not-finite 4:5 parameter \"a\": the number must be finite and not too large | -",
-            "not-finite 5:5 parameter \"b\": the number must be finite and not too large | -",
-            "not-finite 6:5 parameter \"c\": the number must be finite and not too large | -",
-            "not-finite 7:5 parameter \"d\": the number must be finite and not too large | -",
+            "not-finite 4:5 parameter \"a\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
+            "not-finite 5:5 parameter \"b\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
+            "not-finite 6:5 parameter \"c\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
+            "not-finite 7:5 parameter \"d\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
         ],
     );
 }
@@ -263,9 +267,9 @@ fn whole_numbers() {
     check(
         "[analysis]\nmax_iterations = 1.5\n[[table]]\nname = \"f\"\nfile = \"f.csv\"\ncolumns = [0, 1]\n",
         &[
-            "wrong-type 4:18 section [analysis]: `max_iterations`: expected a whole number, found a number | -",
+            "wrong-type 4:18 section [analysis]: `max_iterations`: expected a whole number, found a number | write a whole number",
             "csv 7:8 table \"f\": `file`: the model was not read from a folder, so \"f.csv\" cannot be found | give `x` and `y` in the model file",
-            "out-of-range 8:12 table \"f\": `columns[0]`: expected a whole number from 1 to 4294967295 | -",
+            "out-of-range 8:12 table \"f\": `columns[0]`: expected a whole number from 1 to 4294967295 | give a number from this range",
         ],
     );
 }
@@ -275,8 +279,8 @@ fn empty_texts() {
     check(
         "[parameters]\nr = \" \"\n[analysis]\nindependent = [\"\"]\n",
         &[
-            "empty-text 4:5 parameter \"r\": expected a number or a text like \"30 deg\", found an empty text | -",
-            "empty-text 6:16 section [analysis]: `independent[0]`: the text must not be empty | -",
+            "empty-text 4:5 parameter \"r\": expected a number or a text like \"30 deg\", found an empty text | give the value, or remove the key",
+            "empty-text 6:16 section [analysis]: `independent[0]`: the text must not be empty | give the text, or remove the key",
         ],
     );
 }
@@ -448,12 +452,12 @@ fn cam_profiles() {
             &format!(
                 "wrong-combination 19:13 joint \"2\": `profile`: `x` and `y` need each other | {help}"
             ),
-            "missing-key 20:12 joint \"2\": `follower`: the key `radius` is missing | -",
+            "missing-key 20:12 joint \"2\": `follower`: the key `radius` is missing | add `radius = ...`",
             &format!(
                 "wrong-combination 26:11 joint \"3\": `profile`: a profile needs `radius`, or `x` and `y` | {help}"
             ),
             "unknown-kind 27:21 joint \"3\": `follower.kind`: there is no kind `knife` | allowed here: `knife-edge`, `roller`, `flat`",
-            "wrong-type 33:11 joint \"4\": `profile`: expected a table, found a text | -",
+            "wrong-type 33:11 joint \"4\": `profile`: expected a table, found a text | write a table",
             "unknown-key 34:29 joint \"4\": `follower`: unknown key `radius` | allowed here: `kind`",
         ],
     );

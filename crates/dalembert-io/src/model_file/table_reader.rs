@@ -237,7 +237,7 @@ impl<'a> TableReader<'a> {
         }
         for key in missing {
             let message = self.place.message(&format!("the key `{key}` is missing"));
-            let help = format!("add a line `{key} = ...`");
+            let help = format!("add `{key} = ...`");
             self.context.report(
                 Diagnostic::error("missing-key", self.place.path.clone(), message).help(help),
             );
