@@ -137,7 +137,7 @@ fn too_few_lines() {
         "few",
         "x,y\n0,1\n",
         "",
-        "\"lift.csv\" has 1 lines of numbers; a table needs at least 2",
+        "\"lift.csv\" has 1 line of numbers; a table needs at least 2",
     );
 }
 

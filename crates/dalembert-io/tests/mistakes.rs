@@ -141,7 +141,7 @@ fn unknown_kind() {
         &[
             "unknown-kind 5:8 joint \"A\": `kind`: there is no kind `hook` | allowed here: `revolute`, `prismatic`, `weld`, `distance`, `pin-slot`, `gear`, `rack`, `cam`, `rolling-on-line`, `rolling-on-circle`",
             "unknown-body 6:11 joint \"A\": `bodies[0]`: there is no body \"a\" | known: `ground`",
-            "wrong-length 7:7 joint \"A\": `at[0]`: expected 2 entries, found 1 | -",
+            "wrong-length 7:7 joint \"A\": `at[0]`: expected 2 entries, found 1 | write [x, y]: the model is planar",
         ],
     );
 }
@@ -207,9 +207,9 @@ fn wrong_types() {
     assert_eq!(
         findings("model = 3\nbody = [1]\nparameters = []\n"),
         [
-            "wrong-type 1:9 section [model]: expected a table, found a number | -",
-            "wrong-type 2:9 body number 1: expected a table, found a number | -",
-            "wrong-type 3:14 section [parameters]: expected a table, found a list | -",
+            "wrong-type 1:9 section [model]: expected a table, found a number | write a table",
+            "wrong-type 2:9 body number 1: expected a table, found a number | write a table",
+            "wrong-type 3:14 section [parameters]: expected a table, found a list | write a table",
         ]
     );
 }
@@ -224,7 +224,9 @@ fn wrong_lengths() {
     );
     assert_eq!(
         findings("[model]\nname = \"m\"\nspace = \"spatial\"\ngravity = [0, -9.81]\n"),
-        ["wrong-length 4:11 section [model]: `gravity`: expected 3 entries, found 2 | -"]
+        [
+            "wrong-length 4:11 section [model]: `gravity`: expected 3 entries, found 2 | write [x, y, z]"
+        ]
     );
     check_behind_bodies(
         "[[joint]]\nname = \"A\"\nkind = \"revolute\"\nbodies = [\"a\", \"b\", \"ground\"]\nat = [[0, 0], [1]]\n",
@@ -291,14 +293,18 @@ fn bad_names() {
     check(
         "[[body]]\nname = \"\"\n[[body]]\nname = \"a.b\"\n",
         &[
-            &format!("bad-name 4:8 body number 1: `name`: {rule} | -"),
-            &format!("bad-name 6:8 body \"a.b\": `name`: {rule} | -"),
+            &format!(
+                "bad-name 4:8 body number 1: `name`: {rule} | choose another name, such as `crank_2`"
+            ),
+            &format!(
+                "bad-name 6:8 body \"a.b\": `name`: {rule} | choose another name, such as `crank_2`"
+            ),
         ],
     );
     check(
         "[parameters]\n\"2 r\" = 1\n",
         &[
-            "bad-name 4:1 parameter \"2 r\": a name for expressions starts with a letter and has letters (a to z, A to Z), digits and underscores only | -",
+            "bad-name 4:1 parameter \"2 r\": a name for expressions starts with a letter and has letters (a to z, A to Z), digits and underscores only | choose another name, such as `crank_length`",
         ],
     );
 }
@@ -467,16 +473,16 @@ fn cam_profiles() {
 fn points_of_tables() {
     let help = "give `x` and `y`, or the name of a CSV `file` beside the model file";
     check(
-        "[[table]]\nname = \"1\"\n[[table]]\nname = \"2\"\nx = [0, 1]\n[[table]]\nname = \"3\"\nx = [0, 1]\ny = [0, 1, 2]\nx_unit = \"deg\"\n[[table]]\nname = \"4\"\nx = [0]\ny = [0]\n[[table]]\nname = \"5\"\nx = [0]\nfile = \"f\"\n",
+        "[[table]]\nname = \"t1\"\n[[table]]\nname = \"t2\"\nx = [0, 1]\n[[table]]\nname = \"t3\"\nx = [0, 1]\ny = [0, 1, 2]\nx_unit = \"deg\"\n[[table]]\nname = \"t4\"\nx = [0]\ny = [0]\n[[table]]\nname = \"t5\"\nx = [0]\nfile = \"f\"\n",
         &[
-            &format!("wrong-combination 3:1 table \"1\": the points are missing | {help}"),
-            &format!("wrong-combination 7:1 table \"2\": `x` and `y` need each other | {help}"),
-            "wrong-length 11:5 table \"3\": `y`: expected 2 (as many as `x`) entries, found 3 | -",
+            &format!("wrong-combination 3:1 table \"t1\": the points are missing | {help}"),
+            &format!("wrong-combination 7:1 table \"t2\": `x` and `y` need each other | {help}"),
+            "wrong-length 11:5 table \"t3\": `y`: expected 2 (as many as `x`) entries, found 3 | give every point both numbers",
             &format!(
-                "wrong-combination 12:1 table \"3\": `x_unit` speaks of a CSV `file` | {help}"
+                "wrong-combination 12:1 table \"t3\": `x_unit` speaks of a CSV `file` | {help}"
             ),
-            "wrong-length 15:5 table \"4\": `x`: expected at least 2 entries, found 1 | -",
-            &format!("wrong-combination 20:1 table \"5\": `file` excludes `x` and `y` | {help}"),
+            "wrong-length 15:5 table \"t4\": `x`: expected at least 2 entries, found 1 | add points",
+            &format!("wrong-combination 20:1 table \"t5\": `file` excludes `x` and `y` | {help}"),
         ],
     );
 }
