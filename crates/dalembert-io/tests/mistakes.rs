@@ -231,8 +231,8 @@ fn wrong_lengths() {
     check_behind_bodies(
         "[[joint]]\nname = \"A\"\nkind = \"revolute\"\nbodies = [\"a\", \"b\", \"ground\"]\nat = [[0, 0], [1]]\n",
         &[
-            "wrong-length 10:10 joint \"A\": `bodies`: expected 2 entries, found 3 | -",
-            "wrong-length 11:15 joint \"A\": `at[1]`: expected 2 entries, found 1 | -",
+            "wrong-length 10:10 joint \"A\": `bodies`: expected 2 entries, found 3 | write [first, second]",
+            "wrong-length 11:15 joint \"A\": `at[1]`: expected 2 entries, found 1 | write [x, y]: the model is planar",
         ],
     );
     check_behind_bodies(
