@@ -238,8 +238,8 @@ fn wrong_lengths() {
     check_behind_bodies(
         "[[force]]\nname = \"B\"\nkind = \"bushing\"\nbodies = [\"a\", \"b\"]\npoint = [0, 0]\nstiffness = [1, 2]\ndamping = [[1, 0, 0], [0, 1], [0, 0, 1]]\n",
         &[
-            "wrong-length 12:13 force \"B\": `stiffness`: expected 3 entries, found 2 | -",
-            "wrong-length 13:23 force \"B\": `damping[1]`: expected 3 entries, found 2 | -",
+            "wrong-length 12:13 force \"B\": `stiffness`: expected 3 entries, found 2 | give the diagonal, or all rows",
+            "wrong-length 13:23 force \"B\": `damping[1]`: expected 3 entries, found 2 | complete the row",
         ],
     );
     check(
