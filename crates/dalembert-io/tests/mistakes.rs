@@ -245,8 +245,8 @@ fn wrong_lengths() {
     check(
         "[[body]]\nname = \"a\"\nshape = { kind = \"polygon\", points = [[0, 0], [1, 0]] }\n[[constraint]]\nname = \"c\"\nkind = \"coupler\"\nterms = []\n",
         &[
-            "wrong-length 5:38 body \"a\": `shape[0].points`: expected at least 3 entries, found 2 | -",
-            "wrong-length 9:9 constraint \"c\": `terms`: expected at least 1 entries, found 0 | -",
+            "wrong-length 5:38 body \"a\": `shape[0].points`: expected at least 3 entries, found 2 | give the corners [[x, y], ...]",
+            "wrong-length 9:9 constraint \"c\": `terms`: expected at least 1 entry, found 0 | write [{ factor = 1, kind = \"angle\", ... }]",
         ],
     );
 }

@@ -222,7 +222,12 @@ impl<'a> Item<'a> {
 
     /// Reports a list of the wrong length.
     pub fn wrong_length(&self, expected: &str, found: usize, help: &str) {
-        let text = format!("expected {expected} entries, found {found}");
+        let entries = if expected.ends_with(" 1") {
+            "entry"
+        } else {
+            "entries"
+        };
+        let text = format!("expected {expected} {entries}, found {found}");
         self.error("wrong-length", &text, help);
     }
 
