@@ -67,7 +67,8 @@ pub struct NewArgs {
 pub struct ModelArgs {
     /// Model file (TOML)
     pub model: PathBuf,
-    /// Set a parameter of the model, like crank="120 mm"; can be repeated
+    /// Set a parameter of the model, like crank="120 mm", in its dimension; a bare number is in SI;
+    /// can be repeated
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Print the answer as JSON

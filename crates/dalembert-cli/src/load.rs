@@ -42,10 +42,7 @@ fn load_given(
     change: impl Fn(&mut Model),
     given: &[(&str, &str)],
 ) -> Result<Loaded, Failure> {
-    let text = std::fs::read_to_string(&args.model).map_err(|e| Failure::File {
-        path: args.model.clone(),
-        cause: format!("cannot be read: {e}"),
-    })?;
+    let text = read(&args.model)?;
     let overrides = overrides(&args.set)?;
     let folder = args.model.parent();
     let mut parsed = parse_model(&text, folder);
@@ -94,8 +91,47 @@ fn load_given(
     }
 }
 
+/// The text of a model file; where it is not text, the place of the first byte that is none.
+fn read(path: &Path) -> Result<String, Failure> {
+    let failure = |cause: String| Failure::File {
+        path: path.to_owned(),
+        cause,
+    };
+    let bytes = std::fs::read(path).map_err(|e| failure(format!("cannot be read: {e}")))?;
+    String::from_utf8(bytes).map_err(|e| {
+        let good = e.utf8_error().valid_up_to();
+        let before = String::from_utf8_lossy(&e.as_bytes()[..good]);
+        let line = before.matches('\n').count() + 1;
+        let column = before
+            .rsplit('\n')
+            .next()
+            .map_or(1, |l| l.chars().count() + 1);
+        let byte = e.as_bytes().get(good).copied().unwrap_or_default();
+        failure(format!(
+            "it is not UTF-8 text: line {line}, column {column} holds the byte 0x{byte:02x}; \
+             save the file as UTF-8"
+        ))
+    })
+}
+
+/// Refuses to write two things to one file.
+fn check_files(args: &RunArgs) -> Result<(), Failure> {
+    let mut files: Vec<&std::path::PathBuf> = args.out.iter().collect();
+    files.extend(args.plot_file.iter().chain(&args.html));
+    for (k, file) in files.iter().enumerate() {
+        if files[..k].contains(file) {
+            return Err(Failure::Usage(format!(
+                "{} is named twice as a file to write; name each file once",
+                file.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Reads and compiles the model of a run, with the options of the command line.
 pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
+    check_files(args)?;
     if args.html.is_some() {
         crate::page::check()?;
     }

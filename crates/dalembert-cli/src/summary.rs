@@ -2,24 +2,9 @@
 
 use dalembert::analysis::AssemblyReport;
 use dalembert::results::{Channel, Results};
+use dalembert::words::counted;
+pub use dalembert::words::readable as number;
 use std::path::PathBuf;
-
-/// Significant digits for people.
-pub fn number(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let magnitude = x.abs();
-    if !(1e-4..1e7).contains(&magnitude) {
-        return format!("{x:.4e}");
-    }
-    let digits = (5 - magnitude.log10().floor() as i32).clamp(0, 9) as usize;
-    let text = format!("{x:.digits$}");
-    if text.contains('.') {
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    text
-}
 
 /// What the assembly changed, in words; empty where it changed nothing.
 pub fn assembly(report: &AssemblyReport) -> Vec<String> {
@@ -39,10 +24,10 @@ pub fn assembly(report: &AssemblyReport) -> Vec<String> {
         ));
     }
     if report.moved.len() > 4 {
-        lines.push(format!(
-            "assembly moved {} more bodies",
-            report.moved.len() - 4
-        ));
+        lines.push(match report.moved.len() - 4 {
+            1 => "assembly moved 1 more body".to_owned(),
+            more => format!("assembly moved {more} more bodies"),
+        });
     }
     lines.extend(
         report
@@ -167,10 +152,10 @@ pub fn report(
         let time = results.channel("time").map_or(&[][..], |c| &c.values[..]);
         if let (Some(first), Some(last)) = (time.first(), time.last()) {
             say!(
-                "{}: {}, {} instants from {} s to {} s",
+                "{}: {}, {} from {} s to {} s",
                 results.model,
                 results.analysis,
-                time.len(),
+                counted(time.len(), "instant"),
                 number(*first),
                 number(*last)
             );

@@ -17,4 +17,4 @@ pub mod signal;
 pub mod solve;
 pub mod space;
 pub mod system;
-pub mod text;
+pub mod words;

@@ -1,6 +1,7 @@
 //! Why an analysis could not be done.
 
 use crate::solve::RankError;
+use crate::words::{counted, readable};
 use thiserror::Error;
 
 /// Why an analysis could not be done: what, where, when, and what to do.
@@ -8,7 +9,10 @@ use thiserror::Error;
 pub enum AnalysisError {
     /// The constraints cannot be met at the same time near the estimate.
     #[error(
-        "the machine cannot be assembled at t = {time} s: after {iterations} iterations {worst} is still off by {residual:.3e}{conflict}"
+        "the machine cannot be assembled at t = {} s: after {} {worst} is still off by {}{conflict}",
+        readable(*time),
+        counted(*iterations, "iteration"),
+        readable(*residual)
     )]
     NotAssembled {
         /// Time [s].
@@ -56,7 +60,8 @@ pub enum AnalysisError {
     },
     /// A force element or constraint gave a number that is not finite.
     #[error(
-        "{element} gives a value that is not finite at t = {time} s; check its expression and the pose"
+        "{element} gives a value that is not finite at t = {} s; check its expression and the pose",
+        readable(*time)
     )]
     NotFinite {
         /// The element in words.
@@ -65,7 +70,10 @@ pub enum AnalysisError {
         time: f64,
     },
     /// The step size became too small.
-    #[error("the integration stopped at t = {time} s: the step shrank to {step:.3e} s; {detail}")]
+    #[error(
+        "the integration stopped at t = {} s: the step shrank to {step:.3e} s; {detail}",
+        readable(*time)
+    )]
     StepTooSmall {
         /// Time [s].
         time: f64,
@@ -120,7 +128,10 @@ pub enum AnalysisError {
     },
     /// The actuators named for `inverse` cannot produce the motion.
     #[error(
-        "{given} actuators are named, but the driven motion has {needed} drivers; name exactly {needed} joints"
+        "{} named, but the driven motion has {}; name exactly {}",
+        if *given == 1 { "1 actuator is".to_owned() } else { format!("{given} actuators are") },
+        counted(*needed, "driver"),
+        counted(*needed, "joint")
     )]
     ActuatorCount {
         /// Given.

@@ -29,7 +29,7 @@ pub enum RowUnit {
     Length,
     /// The residual is an angle [rad].
     Angle,
-    /// Anything else: the residual counts as it is.
+    /// Anything else: the residual is scaled by its gradient at the estimate.
     Other,
 }
 

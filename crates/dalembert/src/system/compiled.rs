@@ -231,7 +231,8 @@ impl<S: Space> System<S> {
     pub fn row_scale(&self, row: usize) -> f64 {
         match self.row_refs[row].label.unit {
             RowUnit::Length => self.size,
-            RowUnit::Angle | RowUnit::Other => 1.0,
+            RowUnit::Angle => 1.0,
+            RowUnit::Other => self.elements[self.row_refs[row].element].scale,
         }
     }
 
@@ -442,7 +443,7 @@ impl<S: Space> System<S> {
         self.each_aux(|row, aux, at| out[n + aux] += factor * lambda[row] * ws.jac_aux[at]);
     }
 
-    fn each_block(&self, mut f: impl FnMut(&ElementData<S>, usize, usize)) {
+    pub(super) fn each_block(&self, mut f: impl FnMut(&ElementData<S>, usize, usize)) {
         let mut at = 0;
         for e in &self.elements {
             for &b in &e.bodies {

@@ -74,6 +74,8 @@ pub struct ElementData<S: Space> {
     pub coordinates: SmallVec<[Coordinate; 2]>,
     /// Initial estimates of its auxiliary coordinates.
     pub auxiliary_start: SmallVec<[f64; 1]>,
+    /// What counts as 1 in its rows that are neither lengths nor angles; set by the system.
+    pub scale: f64,
     /// Distinct movable bodies; set by the system.
     pub bodies: SmallVec<[usize; 4]>,
     /// For each marker the position of its body in `bodies`; set by the system.

@@ -6,6 +6,7 @@ mod compiled;
 mod element;
 mod metric;
 mod plan;
+mod row_scales;
 mod state;
 mod workspace;
 

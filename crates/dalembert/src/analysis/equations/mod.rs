@@ -151,11 +151,11 @@ impl Equations {
     fn preferred(&self, names: &[String]) -> Result<Vec<usize>, AnalysisError> {
         let find = |name: &String| {
             names.iter().position(|n| n == name).ok_or_else(|| {
-                let near = crate::text::nearest(name, names.iter().map(String::as_str));
+                let near = dalembert_expr::nearest(name, names.iter().map(String::as_str));
                 AnalysisError::BadName {
                     what: "independent coordinate",
                     name: name.clone(),
-                    detail: match near {
+                    detail: match near.first() {
                         Some(near) => format!("did you mean '{near}'?"),
                         None => format!("the coordinates are: {}", names.join(", ")),
                     },

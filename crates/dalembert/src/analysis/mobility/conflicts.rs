@@ -211,6 +211,11 @@ impl fmt::Display for Conflict {
                 super::dependence::list(names)
             ),
         }?;
-        write!(f, " ({} is off by {:.3e})", self.worst, self.residual)
+        write!(
+            f,
+            " (at the best compromise {} is off by {})",
+            self.worst,
+            crate::words::readable(self.residual)
+        )
     }
 }

@@ -262,6 +262,7 @@ impl fmt::Display for FreeMotion {
         let words = match words.len() {
             0 => "no body moves".to_owned(),
             1..=8 => words.join(", "),
+            9 => format!("{} and 1 more body", words[..8].join(", ")),
             n => format!("{} and {} more bodies", words[..8].join(", "), n - 8),
         };
         write!(f, "{}: {words}", list(&self.coordinates))

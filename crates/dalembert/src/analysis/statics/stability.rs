@@ -185,7 +185,10 @@ pub(super) fn in_words(system: &System<Planar>, motion: &DVector<f64>) -> String
     parts.truncate(6);
     let mut words: Vec<String> = parts.into_iter().map(|p| p.1).collect();
     if more > 0 {
-        words.push(format!("{more} more bodies move"));
+        words.push(match more {
+            1 => "1 more body moves".to_owned(),
+            n => format!("{n} more bodies move"),
+        });
     }
     words.join(", ")
 }

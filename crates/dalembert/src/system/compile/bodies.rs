@@ -153,6 +153,7 @@ impl Context<'_> {
             axes_marker: 0,
             coordinates: SmallVec::new(),
             auxiliary_start: SmallVec::new(),
+            scale: 1.0,
             bodies: SmallVec::new(),
             slots: SmallVec::new(),
             rows: 0..0,

@@ -142,7 +142,12 @@ impl Context<'_> {
                         Diagnostic::error(
                             "unresolved-rate",
                             place.key("rate"),
-                            format!("{}: the rate cannot be integrated from {from} s to {to} s", place.owner),
+                            format!(
+                                "{}: the rate cannot be integrated from {} s to {} s",
+                                place.owner,
+                                crate::words::readable(from),
+                                crate::words::readable(to)
+                            ),
                         )
                         .help("it is not finite there, or changes too often: give value instead of rate"),
                     );

@@ -3,6 +3,7 @@
 use super::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Stabilization, Value};
+use crate::words::readable;
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 
@@ -115,7 +116,11 @@ impl Context<'_> {
         check(
             end > start,
             "end",
-            &format!("end ({end} s) is not after start ({start} s)"),
+            &format!(
+                "end ({} s) is not after start ({} s)",
+                readable(end),
+                readable(start)
+            ),
             "give a later end",
         );
         check(

@@ -72,6 +72,7 @@ impl Context<'_> {
             axes_marker: 0,
             coordinates: built.coordinates,
             auxiliary_start: built.auxiliary_start,
+            scale: 1.0,
             bodies: SmallVec::new(),
             slots: SmallVec::new(),
             rows: 0..0,
