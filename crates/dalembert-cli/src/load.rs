@@ -149,6 +149,32 @@ pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
     load_given(&args.model, apply(args), &given)
 }
 
+/// Moves the estimate to an instant given on the command line. The start stays: rates are integrated from there.
+pub fn move_to(loaded: &mut Loaded, args: &ModelArgs, time: &str) -> Result<(), Failure> {
+    let overrides = overrides(&args.set)?;
+    let compiled = |model: &Model| {
+        compile(model, &overrides).map_err(|errors| {
+            of_options(&errors.0, &overrides, &[("analysis.start", "--time")])
+                .unwrap_or_else(|| Failure::Usage(format!("--time: {errors}")))
+        })
+    };
+    let mut model = loaded.model.clone();
+    model.analysis.start = Some(number_or_text(time));
+    // The end only matters to runs; it must stay behind the start.
+    model.analysis.end = None;
+    let t = compiled(&model)?.options.start;
+    if t > loaded.compiled.options.end {
+        model
+            .analysis
+            .start
+            .clone_from(&loaded.model.analysis.start);
+        model.analysis.end = Some(Value::Number(t));
+        loaded.compiled = compiled(&model)?;
+    }
+    loaded.compiled.system.estimate.t = t;
+    Ok(())
+}
+
 /// Mistakes of values that stand on the command line, not in the file.
 fn of_options(
     errors: &[Diagnostic],

@@ -1,4 +1,4 @@
-//! Numbers in sentences.
+//! Numbers and names in sentences.
 
 /// A number of things: "1 driver", "2 drivers".
 pub fn counted(count: usize, thing: &str) -> String {
@@ -24,6 +24,21 @@ pub fn readable(x: f64) -> String {
         return text.trim_end_matches('0').trim_end_matches('.').to_owned();
     }
     text
+}
+
+/// "A, B and C", shortened where the list is long.
+pub fn listed(names: &[String]) -> String {
+    const MOST: usize = 10;
+    match names {
+        [] => "nothing".to_owned(),
+        [only] => only.clone(),
+        _ if names.len() > MOST => format!(
+            "{} and {} more",
+            names[..MOST].join(", "),
+            names.len() - MOST
+        ),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Forward dynamics: the augmented formulation in absolute coordinates, integrated with error
 //! control; positions and velocities projected.
 
+use super::contradiction::contradiction;
 use super::least_reactions::LeastReactions;
 use super::massless;
 use super::newton::NewtonOptions;
@@ -156,6 +157,12 @@ impl Dynamics {
             least.settle(&running, &mut motion.ws);
             open.pose(&least.not_unique(&running), || at_time(t));
             recorder.record(&running, &motion.ws, &state, extra);
+        }
+        if matches!(
+            stopped,
+            Some(AnalysisError::StepTooSmall { .. } | AnalysisError::NotAssembled { .. })
+        ) {
+            stopped = contradiction(&running, &state, end).or(stopped);
         }
         let mut results = recorder.into_results(&system.name, "simulate");
         notes.extend(open.notes());

@@ -28,7 +28,8 @@ pub enum AnalysisError {
     },
     /// The machine can still move although its motion should be given by drivers.
     #[error(
-        "the machine is not driven in every freedom: {freedoms} remain free ({names}); add drivers or use simulate"
+        "the machine is not driven in every freedom: {} free ({names}); add drivers or use simulate",
+        if *freedoms == 1 { "1 remains".to_owned() } else { format!("{freedoms} remain") }
     )]
     NotDriven {
         /// Number of free motions.
@@ -49,6 +50,17 @@ pub enum AnalysisError {
         kind: &'static str,
         /// What depends on what, and what to do.
         detail: String,
+    },
+    /// Drivers and constraints that agree up to a time ask for different motions afterwards.
+    #[error(
+        "{elements} contradict each other after t = {} s: they ask for different motions; leave one of the drivers out, or change one; results are kept until then",
+        readable(*time)
+    )]
+    Contradiction {
+        /// Last good time [s].
+        time: f64,
+        /// The elements, in words.
+        elements: String,
     },
     /// Masses are missing where the motion depends on them.
     #[error(

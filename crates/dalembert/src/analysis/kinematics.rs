@@ -1,6 +1,7 @@
 //! Kinematics of driven machines: positions, velocities, accelerations, and the forces that the
 //! motion takes.
 
+use super::contradiction::contradiction;
 use super::least_reactions::LeastReactions;
 use super::meeting::Meeting;
 use super::newton::{NewtonOptions, correct_positions};
@@ -13,6 +14,7 @@ use crate::solve::independent_rows;
 use crate::space::Planar;
 use crate::system::compile::Options;
 use crate::system::{Role, State, System, Workspace};
+use crate::words::listed;
 use nalgebra::DMatrix;
 
 /// Kinematic analysis (Shabana 3.7, 3.8) at given instants.
@@ -236,7 +238,8 @@ impl Kinematics {
                 // The way to a meeting ends one shortest interval before it.
                 let horizon = 2e-3 * (t - from);
                 let met = meeting.ahead(&running, &mut runner.ws, &state, horizon);
-                stopped = Some(met.unwrap_or(error));
+                let other = || contradiction(&running, &state, t);
+                stopped = Some(met.or_else(other).unwrap_or(error));
                 break;
             }
             if let Err(error) = meeting.check(&running, &runner.ws, t) {
@@ -499,20 +502,25 @@ impl<'a> Runner<'a> {
     }
 
     fn singular(&self, time: f64, last: f64) -> AnalysisError {
-        let drivers: Vec<&str> = self
+        let drivers: Vec<String> = self
             .system
             .elements
             .iter()
             .filter(|e| e.role == Role::Driver)
-            .map(|e| e.name.as_str())
+            .map(|e| e.name.clone())
             .collect();
+        let (word, verb) = if drivers.len() == 1 {
+            ("driver", "does")
+        } else {
+            ("drivers", "do")
+        };
         AnalysisError::Singular {
             time,
             last,
             kind: "dead centre or bifurcation",
             detail: format!(
-                "here the driver '{}' does not determine the motion; drive another coordinate, or end the motion before this pose",
-                drivers.join("', '")
+                "here the {word} {} {verb} not determine the motion; drive another coordinate, or end the motion before this pose",
+                listed(&drivers)
             ),
         }
     }

@@ -3,6 +3,7 @@
 
 mod assembly;
 mod changed_rate;
+mod contradiction;
 mod dynamics;
 pub mod equations;
 mod error;

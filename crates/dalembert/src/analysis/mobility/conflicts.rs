@@ -208,7 +208,7 @@ impl fmt::Display for Conflict {
             names => write!(
                 f,
                 "{} cannot hold together near this pose",
-                super::dependence::list(names)
+                crate::words::listed(names)
             ),
         }?;
         write!(

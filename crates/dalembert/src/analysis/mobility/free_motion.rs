@@ -1,9 +1,9 @@
 //! Free motions in words.
 
-use super::dependence::list;
 use crate::formulation::column_scale;
 use crate::space::{Planar, Space, Tuple};
 use crate::system::{Role, System, Workspace};
+use crate::words::listed;
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde::Serialize;
 use std::fmt;
@@ -245,12 +245,12 @@ impl fmt::Display for FreeMotion {
                 .collect();
             let names: Vec<String> = self.bodies.iter().map(|b| b.body.clone()).collect();
             return match names.len() {
-                1 => write!(f, "body {} is free in {}", names[0], list(&suffixes)),
+                1 => write!(f, "body {} is free in {}", names[0], listed(&suffixes)),
                 _ => write!(
                     f,
                     "{} move together, free in {}",
-                    list(&names),
-                    list(&suffixes)
+                    listed(&names),
+                    listed(&suffixes)
                 ),
             };
         }
@@ -265,6 +265,6 @@ impl fmt::Display for FreeMotion {
             9 => format!("{} and 1 more body", words[..8].join(", ")),
             n => format!("{} and {} more bodies", words[..8].join(", "), n - 8),
         };
-        write!(f, "{}: {words}", list(&self.coordinates))
+        write!(f, "{}: {words}", listed(&self.coordinates))
     }
 }
