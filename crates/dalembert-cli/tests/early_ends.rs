@@ -190,3 +190,72 @@ fn changed_rates_are_a_warning() {
     let (ended, _) = run("rates", &format!("{BLOCK}{fitting}"), &["simulate"]);
     assert!(!ended.out.contains("warning"), "{}", ended.out);
 }
+
+/// Two driven wheels, tied by a gear: their drivers agree at the start only.
+#[test]
+fn drivers_that_part_ways_are_named() {
+    let wheel = |name: &str, x: f64| {
+        format!(
+            "[[body]]\nname = \"{name}\"\nmass = 1\ninertia = 0.01\nposition = [{x}, 0]\n\
+             [[joint]]\nname = \"pin {name}\"\nkind = \"revolute\"\nbodies = [\"ground\", \"{name}\"]\n\
+             at = [[{x}, 0], [0, 0]]\n"
+        )
+    };
+    let driver = |name: &str, joint: &str, value: &str| {
+        format!(
+            "[[driver]]\nname = \"{name}\"\nkind = \"angle\"\njoint = \"pin {joint}\"\nvalue = \"{value}\"\n"
+        )
+    };
+    let gear =
+        "[[joint]]\nname = \"mesh\"\nkind = \"gear\"\nbodies = [\"a\", \"b\"]\nradii = [1, 1]\n";
+    let model = |second: &str| {
+        format!(
+            "[model]\nname = \"twice driven\"\n{}{}{gear}{}{}[analysis]\nend = 1\nstep = 0.5\n",
+            wheel("a", 0.0),
+            wheel("b", 0.3),
+            driver("first", "a", "2 rad/s * t"),
+            driver("second", "b", second),
+        )
+    };
+    for command in ["kinematics", "simulate"] {
+        let parting = model("-2 rad/s * t + 0.1 rad/s^2 * t^2");
+        let (ended, results) = run("parting", &parting, &[command]);
+        assert_eq!(ended.code, 1, "{}", ended.err);
+        assert!(
+            ended
+                .err
+                .contains("mesh, first and second contradict each other after t = 0 s"),
+            "{}",
+            ended.err
+        );
+        assert_eq!(lines(&results), 2);
+        let (ended, _) = run("agreeing", &model("-2 rad/s * t"), &[command]);
+        assert_eq!(ended.code, 0, "{}", ended.err);
+    }
+}
+
+/// The equations at a later time stand at the pose that a rate has led to since the start: 0.2 + t^2 - 1 for 2 t from
+/// 1 s on.
+#[test]
+fn equations_at_a_time_integrate_rates_from_the_start() {
+    let text = "[model]\nname = \"rotor\"\ngravity = [0, 0]\n\
+         [[body]]\nname = \"rotor\"\nmass = 1\ninertia = 0.1\n\
+         [[joint]]\nname = \"axle\"\nkind = \"revolute\"\nbodies = [\"ground\", \"rotor\"]\nat = [[0, 0], [0, 0]]\n\
+         [[driver]]\nname = \"motor\"\nkind = \"angle\"\njoint = \"axle\"\nrate = \"2 rad/s^2 * t\"\nstart = 0.2\n\
+         [analysis]\nstart = \"1 s\"\nend = \"3 s\"\n";
+    let file = folder("equations-at-a-time").join("model.toml");
+    std::fs::write(&file, text).unwrap();
+    for (time, expected) in [("1", 0.2), ("2 s", 3.2), ("5", 24.2), ("500 ms", -0.55)] {
+        let run = dalembert(&[
+            "equations",
+            file.to_str().unwrap(),
+            "--json",
+            "--time",
+            time,
+        ]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        let report: serde_json::Value = serde_json::from_str(&run.out).unwrap();
+        let q: Vec<f64> = serde_json::from_value(report["positions"]["values"].clone()).unwrap();
+        assert!((q[2] - expected).abs() < 1e-12, "{time}: {q:?}");
+    }
+}
