@@ -67,7 +67,8 @@ pub struct NewArgs {
 pub struct ModelArgs {
     /// Model file (TOML)
     pub model: PathBuf,
-    /// Set a parameter of the model, like crank="120 mm"; can be repeated
+    /// Set a parameter of the model, like crank="120 mm", in its dimension; a bare number is in SI;
+    /// can be repeated
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub set: Vec<String>,
     /// Print the answer as JSON
@@ -191,9 +192,9 @@ pub struct StaticsArgs {
     /// Route
     #[arg(long, value_enum, default_value_t = StaticsRoute::Reduced)]
     pub route: StaticsRoute,
-    /// Further starts of the search for other equilibria
-    #[arg(long, default_value_t = 24)]
-    pub starts: usize,
+    /// Further starts of the search for other equilibria [default: 24, fewer above 50 freedoms]
+    #[arg(long)]
+    pub starts: Option<usize>,
     /// Find the effort at this joint or driver that holds the machine in its pose; can be repeated
     #[arg(long, value_name = "JOINT")]
     pub hold: Vec<String>,

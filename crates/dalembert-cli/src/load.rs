@@ -42,10 +42,7 @@ fn load_given(
     change: impl Fn(&mut Model),
     given: &[(&str, &str)],
 ) -> Result<Loaded, Failure> {
-    let text = std::fs::read_to_string(&args.model).map_err(|e| Failure::File {
-        path: args.model.clone(),
-        cause: format!("cannot be read: {e}"),
-    })?;
+    let text = read(&args.model)?;
     let overrides = overrides(&args.set)?;
     let folder = args.model.parent();
     let mut parsed = parse_model(&text, folder);
@@ -94,8 +91,47 @@ fn load_given(
     }
 }
 
+/// The text of a model file; where it is not text, the place of the first byte that is none.
+fn read(path: &Path) -> Result<String, Failure> {
+    let failure = |cause: String| Failure::File {
+        path: path.to_owned(),
+        cause,
+    };
+    let bytes = std::fs::read(path).map_err(|e| failure(format!("cannot be read: {e}")))?;
+    String::from_utf8(bytes).map_err(|e| {
+        let good = e.utf8_error().valid_up_to();
+        let before = String::from_utf8_lossy(&e.as_bytes()[..good]);
+        let line = before.matches('\n').count() + 1;
+        let column = before
+            .rsplit('\n')
+            .next()
+            .map_or(1, |l| l.chars().count() + 1);
+        let byte = e.as_bytes().get(good).copied().unwrap_or_default();
+        failure(format!(
+            "it is not UTF-8 text: line {line}, column {column} holds the byte 0x{byte:02x}; \
+             save the file as UTF-8"
+        ))
+    })
+}
+
+/// Refuses to write two things to one file.
+fn check_files(args: &RunArgs) -> Result<(), Failure> {
+    let mut files: Vec<&std::path::PathBuf> = args.out.iter().collect();
+    files.extend(args.plot_file.iter().chain(&args.html));
+    for (k, file) in files.iter().enumerate() {
+        if files[..k].contains(file) {
+            return Err(Failure::Usage(format!(
+                "{} is named twice as a file to write; name each file once",
+                file.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Reads and compiles the model of a run, with the options of the command line.
 pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
+    check_files(args)?;
     if args.html.is_some() {
         crate::page::check()?;
     }
@@ -111,6 +147,32 @@ pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
         .map(|&(_, path, option)| (path, option))
         .collect();
     load_given(&args.model, apply(args), &given)
+}
+
+/// Moves the estimate to an instant given on the command line. The start stays: rates are integrated from there.
+pub fn move_to(loaded: &mut Loaded, args: &ModelArgs, time: &str) -> Result<(), Failure> {
+    let overrides = overrides(&args.set)?;
+    let compiled = |model: &Model| {
+        compile(model, &overrides).map_err(|errors| {
+            of_options(&errors.0, &overrides, &[("analysis.start", "--time")])
+                .unwrap_or_else(|| Failure::Usage(format!("--time: {errors}")))
+        })
+    };
+    let mut model = loaded.model.clone();
+    model.analysis.start = Some(number_or_text(time));
+    // The end only matters to runs; it must stay behind the start.
+    model.analysis.end = None;
+    let t = compiled(&model)?.options.start;
+    if t > loaded.compiled.options.end {
+        model
+            .analysis
+            .start
+            .clone_from(&loaded.model.analysis.start);
+        model.analysis.end = Some(Value::Number(t));
+        loaded.compiled = compiled(&model)?;
+    }
+    loaded.compiled.system.estimate.t = t;
+    Ok(())
 }
 
 /// Mistakes of values that stand on the command line, not in the file.

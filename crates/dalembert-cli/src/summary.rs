@@ -2,24 +2,9 @@
 
 use dalembert::analysis::AssemblyReport;
 use dalembert::results::{Channel, Results};
+use dalembert::words::counted;
+pub use dalembert::words::readable as number;
 use std::path::PathBuf;
-
-/// Significant digits for people.
-pub fn number(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let magnitude = x.abs();
-    if !(1e-4..1e7).contains(&magnitude) {
-        return format!("{x:.4e}");
-    }
-    let digits = (5 - magnitude.log10().floor() as i32).clamp(0, 9) as usize;
-    let text = format!("{x:.digits$}");
-    if text.contains('.') {
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
-    }
-    text
-}
 
 /// What the assembly changed, in words; empty where it changed nothing.
 pub fn assembly(report: &AssemblyReport) -> Vec<String> {
@@ -39,19 +24,17 @@ pub fn assembly(report: &AssemblyReport) -> Vec<String> {
         ));
     }
     if report.moved.len() > 4 {
-        lines.push(format!(
-            "assembly moved {} more bodies",
-            report.moved.len() - 4
-        ));
+        lines.push(match report.moved.len() - 4 {
+            1 => "assembly moved 1 more body".to_owned(),
+            more => format!("assembly moved {more} more bodies"),
+        });
     }
-    for m in &report.velocities_changed {
-        lines.push(format!(
-            "the given velocity of {} was changed by {} m/s and {} rad/s to fit the constraints",
-            m.body,
-            number(m.distance),
-            number(m.turn)
-        ));
-    }
+    lines.extend(
+        report
+            .rates_changed
+            .iter()
+            .map(|rate| format!("warning: {rate}")),
+    );
     lines.extend(
         report
             .velocity_conflict
@@ -121,6 +104,15 @@ pub fn errors(results: &Results) -> Vec<(&Channel, f64)> {
         .collect()
 }
 
+/// Prints a note, or a warning as such.
+pub fn tell(note: &str) {
+    if note.starts_with("warning: ") {
+        say!("  {note}");
+    } else {
+        say!("  note: {note}");
+    }
+}
+
 /// "written: a.csv, b.svg".
 pub fn files(written: &[PathBuf]) -> String {
     let names: Vec<String> = written.iter().map(|p| p.display().to_string()).collect();
@@ -160,10 +152,10 @@ pub fn report(
         let time = results.channel("time").map_or(&[][..], |c| &c.values[..]);
         if let (Some(first), Some(last)) = (time.first(), time.last()) {
             say!(
-                "{}: {}, {} instants from {} s to {} s",
+                "{}: {}, {} from {} s to {} s",
                 results.model,
                 results.analysis,
-                time.len(),
+                counted(time.len(), "instant"),
                 number(*first),
                 number(*last)
             );
@@ -187,7 +179,7 @@ pub fn report(
         let reason = stopped.as_ref().map(ToString::to_string);
         let told = results.notes.iter().filter(|n| Some(*n) != reason.as_ref());
         for note in told {
-            say!("  note: {note}");
+            tell(note);
         }
         if !written.is_empty() {
             say!("{}", files(&written));

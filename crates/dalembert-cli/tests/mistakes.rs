@@ -107,3 +107,334 @@ fn warnings_are_in_the_results() {
     assert_eq!(answer["diagnostics"][0]["code"], "no-effect");
     assert_eq!(answer["diagnostics"][0]["severity"], "warning");
 }
+
+/// A pendulum of 18 lines, into which tests write their mistakes.
+const PENDULUM: &str = r#"[model]
+name = "P"
+[parameters]
+l = "0.5 m"
+[[body]]
+name = "rod"
+mass = "1 kg"
+inertia = "0.1 kg*m^2"
+position = ["l", 0]
+[[joint]]
+name = "pin"
+kind = "revolute"
+bodies = ["ground", "rod"]
+at = [[0, 0], ["-l", 0]]
+[analysis]
+end = "0.1 s"
+step = "10 ms"
+"#;
+
+/// One thing that a new user gets wrong: text in the pendulum, what stands there instead, then
+/// code, line and column of the only message.
+type Mistake = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    u64,
+    u64,
+);
+
+const OF_NEW_USERS: [Mistake; 26] = [
+    ("key", "inertia =", "intertia =", "unknown-key", 8, 1),
+    ("word", "\"1 kg\"", "\"heavy\"", "unknown-name", 7, 9),
+    ("truth", "\"1 kg\"", "true", "wrong-type", 7, 8),
+    ("no quotes", "\"1 kg\"", "1 kg", "toml-syntax", 7, 8),
+    ("other unit", "\"1 kg\"", "\"1 m\"", "unit-mismatch", 7, 9),
+    ("infinite", "\"1 kg\"", "inf", "not-finite", 7, 8),
+    ("no number", "\"1 kg\"", "nan", "not-finite", 7, 8),
+    ("too large", "\"1 kg\"", "1e400", "not-finite", 7, 8),
+    ("empty", "\"1 kg\"", "\"\"", "empty-text", 7, 8),
+    (
+        "tabs",
+        "mass = \"1 kg\"",
+        "\tmass\t=\t\"1 kgg\"",
+        "unknown-unit",
+        7,
+        12,
+    ),
+    (
+        "same body",
+        "\"ground\", \"rod\"",
+        "\"rod\", \"rod\"",
+        "same-body",
+        13,
+        10,
+    ),
+    (
+        "ground twice",
+        "\"ground\", \"rod\"",
+        "\"ground\", \"ground\"",
+        "same-body",
+        13,
+        10,
+    ),
+    ("space", "[[0, 0],", "[[0, 0, 0],", "wrong-length", 14, 7),
+    (
+        "flat",
+        "[[0, 0], [\"-l\", 0]]",
+        "[[0, 0], 0]",
+        "wrong-type",
+        14,
+        15,
+    ),
+    ("circle", "\"0.5 m\"", "\"l + 1\"", "parameter-cycle", 4, 5),
+    ("zero", "\"0.5 m\"", "\"1/0\"", "division-by-zero", 4, 6),
+    ("decimal comma", "\"0.5 m\"", "0,5", "toml-syntax", 4, 6),
+    (
+        "twice",
+        "mass =",
+        "name = \"x\"\nmass =",
+        "toml-syntax",
+        7,
+        1,
+    ),
+    ("brackets", "[[body]]", "[body]", "wrong-type", 5, 1),
+    (
+        "section",
+        "[parameters]",
+        "[parameter]",
+        "unknown-key",
+        3,
+        2,
+    ),
+    ("kind", "kind = \"revolute\"\n", "", "missing-key", 10, 1),
+    ("backwards", "\"0.1 s\"", "\"-1 s\"", "bad-option", 16, 7),
+    ("no step", "\"10 ms\"", "0", "bad-option", 17, 8),
+    (
+        "degrees",
+        "mass =",
+        "angle = \"30°\"\nmass =",
+        "unexpected-character",
+        7,
+        12,
+    ),
+    (
+        "unknown method",
+        "step =",
+        "method = \"euler\"\nstep =",
+        "unknown-key",
+        17,
+        1,
+    ),
+    (
+        "part of a mass",
+        "[\"l\", 0]",
+        "[\"1 kg/1 m/2\", 0]",
+        "doubtful-unit",
+        9,
+        14,
+    ),
+];
+
+#[test]
+fn mistakes_of_new_users_have_a_place_and_a_remedy() {
+    let folder = common::folder("new-users");
+    for (what, good, bad, code, line, column) in OF_NEW_USERS {
+        assert!(PENDULUM.contains(good), "{what}");
+        let file = folder.join(format!("{what}.toml"));
+        // The other line ends of another system change nothing.
+        let ends = if what.len() % 2 == 0 { "\n" } else { "\r\n" };
+        let text = PENDULUM.replacen(good, bad, 1).replace('\n', ends);
+        std::fs::write(&file, text).unwrap();
+        for command in [
+            "check",
+            "simulate",
+            "kinematics",
+            "statics",
+            "equations",
+            "network",
+        ] {
+            // A warning does not stop an analysis, and a pendulum without motor has no kinematics.
+            if code == "doubtful-unit" && command == "kinematics" {
+                continue;
+            }
+            let run = dalembert(&[command, &file.display().to_string(), "--json"]);
+            let diagnostics = run.json()["diagnostics"].clone();
+            let list = diagnostics
+                .as_array()
+                .unwrap_or_else(|| panic!("{what}: {}", run.out));
+            assert_eq!(list.len(), 1, "{what}: {list:?}");
+            let d = &list[0];
+            assert_eq!(d["code"], code, "{what}: {d}");
+            assert_eq!(
+                (d["line"].as_u64(), d["column"].as_u64()),
+                (Some(line), Some(column)),
+                "{what}: {d}"
+            );
+            assert!(
+                d["help"].as_str().is_some_and(|h| !h.is_empty()),
+                "{what}: {d}"
+            );
+            if d["severity"] == "error" {
+                assert_eq!(run.code, 3, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn files_that_are_no_text_are_refused_with_the_place() {
+    let folder = common::folder("no-text");
+    let file = folder.join("latin.toml");
+    std::fs::write(&file, b"[model]\nname = \"Pr\xfcfung\"\n").unwrap();
+    let run = dalembert(&["check", &file.display().to_string()]);
+    assert_eq!(run.code, 4);
+    assert!(
+        run.err.contains("line 2, column 11 holds the byte 0xfc"),
+        "{}",
+        run.err
+    );
+
+    // A mark of byte order is no mistake.
+    let file = folder.join("mark.toml");
+    std::fs::write(&file, format!("\u{feff}{PENDULUM}")).unwrap();
+    assert_eq!(dalembert(&["check", &file.display().to_string()]).code, 0);
+}
+
+#[test]
+fn a_parameter_keeps_its_dimension() {
+    let folder = common::folder("set");
+    let file = folder.join("p.toml");
+    let text = PENDULUM.replace(
+        "l = \"0.5 m\"",
+        "l = \"2*half\"\nhalf = \"0.25 m\"\nfree = 3",
+    );
+    std::fs::write(&file, text).unwrap();
+    let file = file.display().to_string();
+    let set = |value: &str| dalembert(&["check", &file, "--set", value]);
+    for value in ["half=3 kg", "half=30 deg", "half=3 kg/2"] {
+        let run = set(value);
+        let told = "--set half: parameter 'half': this must be a length (m), but it";
+        if value.ends_with("/2") {
+            // Only likely to be a mistake: a warning.
+            assert_eq!(run.code, 0, "{}", run.err);
+            assert!(run.err.contains("doubtful-unit"), "{}", run.err);
+        } else {
+            assert_eq!(run.code, 2, "{value}: {}", run.err);
+            assert!(run.err.contains(told), "{value}: {}", run.err);
+        }
+    }
+    for value in [
+        "half=300 mm",
+        "half=0.3",
+        "half=0.1 + 0.2",
+        "free=2 kg",
+        "l=1",
+    ] {
+        let run = set(value);
+        assert_eq!((run.code, run.err.as_str()), (0, ""), "{value}");
+    }
+    // A bare number becomes a length here, and is seen as one.
+    let text = PENDULUM.replace("mass = \"1 kg\"", "mass = \"l\"");
+    std::fs::write(&file, text).unwrap();
+    let run = set("l=2");
+    assert!(
+        run.err
+            .contains("this must be a mass (kg), but it is a length (m)"),
+        "{}",
+        run.err
+    );
+}
+
+#[test]
+fn tables_are_blamed_where_they_are_wrong() {
+    let folder = common::folder("tables");
+    std::fs::write(folder.join("lift.csv"), "x,y\n0,0\n1,1\n2,3\n").unwrap();
+    let driver =
+        "[[driver]]\nname = \"m\"\nkind = \"angle\"\njoint = \"pin\"\nvalue = \"lift(t)\"\n";
+    let file = folder.join("t.toml");
+    for (table, code, line, column) in [
+        (
+            "[[table]]\nname = \"lift\"\nfile = \"lift.csv\"\ncolumns = [1, 5]\n",
+            "csv",
+            21,
+            15,
+        ),
+        (
+            "[[table]]\nname = \"lift\"\nfile = \"nowhere.csv\"\n",
+            "csv",
+            20,
+            8,
+        ),
+        (
+            "[[table]]\nname = \"lift\"\nx = [0, 1]\ny = [0]\n",
+            "wrong-length",
+            21,
+            5,
+        ),
+        ("[[table]]\nx = [0, 1]\ny = [0, 2]\n", "missing-key", 18, 1),
+        (
+            "[[table]]\nname = \"li-ft\"\nx = [0, 1]\ny = [0, 2]\n",
+            "bad-name",
+            19,
+            8,
+        ),
+        (
+            "[[tables]]\nname = \"lift\"\nx = [0, 1]\ny = [0, 2]\n",
+            "unknown-key",
+            18,
+            3,
+        ),
+    ] {
+        std::fs::write(&file, format!("{PENDULUM}{table}{driver}")).unwrap();
+        let run = dalembert(&["check", &file.display().to_string(), "--json"]);
+        assert_eq!(run.code, 3);
+        let answer = run.json();
+        let list = answer["diagnostics"].as_array().unwrap();
+        assert_eq!(list.len(), 1, "{table}: {list:?}");
+        let d = &list[0];
+        assert_eq!(d["code"], code, "{d}");
+        assert_eq!(
+            (d["line"].as_u64(), d["column"].as_u64()),
+            (Some(line), Some(column)),
+            "{d}"
+        );
+        assert!(d["help"].is_string(), "{d}");
+    }
+}
+
+#[test]
+fn files_to_write_and_to_plot_are_looked_at() {
+    let folder = common::folder("files");
+    let out = folder.join("a.csv").display().to_string();
+    let run = dalembert(&["simulate", &model("pendulum.toml"), "-o", &out, "-o", &out]);
+    assert_eq!(run.code, 2);
+    assert!(run.err.contains("named twice"), "{}", run.err);
+
+    let empty = folder.join("empty.csv");
+    std::fs::write(&empty, "time,rod.angle\n").unwrap();
+    let run = dalembert(&["plot", &empty.display().to_string(), "rod.angle"]);
+    assert_eq!(run.code, 4);
+    assert!(run.err.contains("no rows"), "{}", run.err);
+    assert!(!folder.join("empty.svg").exists());
+
+    let full = folder.join("full.csv");
+    std::fs::write(&full, "time,rod.x,rod.y\n0,1,2\n1,2,3\n").unwrap();
+    let full = full.display().to_string();
+    let run = dalembert(&["plot", &full, "rod.y", "--against", "rod.*"]);
+    assert_eq!(run.code, 2);
+    assert!(
+        run.err.contains("2 channels match") && run.err.contains("rod.x, rod.y"),
+        "{}",
+        run.err
+    );
+    let run = dalembert(&[
+        "plot",
+        &full,
+        "rod.y",
+        "--against",
+        "rod.?",
+        "--against",
+        "rod.x",
+    ]);
+    assert_eq!(run.code, 2);
+    assert_eq!(
+        dalembert(&["plot", &full, "rod.y", "--against", "*.x"]).code,
+        0
+    );
+}

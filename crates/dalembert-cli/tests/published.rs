@@ -8,6 +8,7 @@ mod published {
 
     mod benchmarks;
     mod mobility;
+    mod own_machines;
     mod shabana_dynamics;
     mod shabana_four_bar;
     mod shabana_inverse;

@@ -30,17 +30,18 @@ pub fn compile(
         errors.truncate(MOST_ERRORS);
         return Err(errors);
     }
-    let known = check::check(text, &tree, scope, expected)?;
+    let check::Checked { known, doubts } = check::check(text, &tree, scope, expected)?;
     let code = emit::emit(&tree, &known);
     if code.depth > DEEPEST {
         return Err(vec![ExprError::new(&Fault::TooDeep, 0..text.len())]);
     }
     let found = known.last().and_then(|root| root.quantity);
-    let quantity = match found {
-        Some(Quantity::Known(dim)) => Quantity::Known(dim),
+    let quantity = match (found, expected) {
+        (Some(known @ Quantity::Known(_)), _) => known,
+        (Some(likely @ Quantity::Likely(_)), Quantity::Free) => likely,
         _ => expected,
     };
-    Ok(Program::new(text, quantity, code))
+    Ok(Program::new(text, quantity, code, doubts))
 }
 
 fn overlap(a: &Range<usize>, b: &Range<usize>) -> bool {

@@ -14,7 +14,7 @@ pub struct ExprError {
     /// Byte range in the text of the expression.
     pub span: Range<usize>,
     /// What to do.
-    pub help: Option<String>,
+    pub help: String,
 }
 
 impl ExprError {
@@ -118,6 +118,13 @@ pub(crate) enum Fault {
     Dimension,
     #[error("this must be {}, but it is {}", expected.describe(), given.describe())]
     Expected { expected: Quantity, given: Quantity },
+    #[error("{what} {left}{link}{right}")]
+    Doubtful {
+        what: String,
+        left: String,
+        link: &'static str,
+        right: String,
+    },
     #[error("division by zero")]
     DivisionByZero,
     #[error("this has no finite value")]
@@ -152,17 +159,19 @@ impl Fault {
             | Self::Exponent { .. }
             | Self::Dimension
             | Self::Expected { .. } => "unit-mismatch",
+            Self::Doubtful { .. } => "doubtful-unit",
             Self::DivisionByZero => "division-by-zero",
             Self::NotFinite => "not-finite",
         }
     }
 
-    fn help(&self) -> Option<String> {
-        let text = match self {
+    /// What to do: every mistake has a remedy.
+    fn help(&self) -> String {
+        match self {
             Self::Empty => "write a number, such as `30 deg`, or an expression".to_owned(),
             Self::TooLong { .. } => "use a table for long data, or parameters for parts".to_owned(),
             Self::TooDeep => "give a name to a part of it with a parameter".to_owned(),
-            Self::UnexpectedCharacter { found } => return character_help(*found),
+            Self::UnexpectedCharacter { found } => character_help(*found),
             Self::DoubleStar => "write `^` for a power".to_owned(),
             Self::OpenBacktick => "add the closing backtick".to_owned(),
             Self::EmptyName => "write the name between the backticks".to_owned(),
@@ -179,7 +188,11 @@ impl Fault {
             Self::UnknownUnit { name, suggestions } => match name.as_str() {
                 "t" => "for a product write `*`; a metric ton is `tonne`".to_owned(),
                 "Nm" | "nm" => "write `N m`".to_owned(),
-                _ => return did_you_mean(suggestions),
+                _ => did_you_mean(suggestions).unwrap_or_else(|| {
+                    "units are for example `mm`, `kg`, `s`, `deg`, `N`, `kg m^2`; for a product \
+                     write `*`"
+                        .to_owned()
+                }),
             },
             Self::AmbiguousName { name } => format!(
                 "put the number and its unit in parentheses to use the name, as in `(5 N)*{name}`; \
@@ -194,9 +207,10 @@ impl Fault {
                 let parts = [did_you_mean(&unknown.suggestions), unknown.note.clone()];
                 let parts: Vec<String> = parts.into_iter().flatten().collect();
                 if parts.is_empty() {
-                    return None;
+                    "only numbers with units can be used here".to_owned()
+                } else {
+                    parts.join("; ")
                 }
-                parts.join("; ")
             }
             Self::LooseUnit { name } => format!("write `1 {name}`, or `2 {name}` for a product"),
             Self::FunctionWithoutArguments { name } => format!("write `{name}(...)`"),
@@ -211,22 +225,36 @@ impl Fault {
                     format!("`{name}` is a value; for a product write `{name}*(...)`")
                 }
                 Some(help) => help,
-                None => return None,
+                None => "the functions are those of the language, such as `sin`, `sqrt`, `min`, \
+                         `if`, and the tables of the model"
+                    .to_owned(),
             },
             Self::ArgumentCount { usage, .. } => format!("write `{usage}`"),
             Self::Mismatch { .. } | Self::WrongArgument { .. } | Self::Expected { .. } => {
                 "check the terms; a number without a unit takes any dimension, in SI".to_owned()
             }
-            Self::DivisionByZero
-            | Self::NotFinite
-            | Self::UnexpectedEnd
-            | Self::UnexpectedWord { .. }
-            | Self::Trailing { .. }
-            | Self::UnitExponent
-            | Self::Exponent { .. }
-            | Self::Dimension => return None,
-        };
-        Some(text)
+            Self::Doubtful { .. } => "check the terms; a number without a unit that divides a \
+                                      constant is taken as a plain number: where it is not, give \
+                                      it its unit"
+                .to_owned(),
+            Self::DivisionByZero => {
+                "change the divisor; `if(x == 0, a, b/x)` evaluates one branch only".to_owned()
+            }
+            Self::NotFinite => {
+                "it is too large, or the function has no value there: correct the numbers"
+                    .to_owned()
+            }
+            Self::UnexpectedEnd => "complete it, or remove the last operator".to_owned(),
+            Self::UnexpectedWord { .. } | Self::Trailing { .. } => {
+                "remove it, or write the value or operator that is missing".to_owned()
+            }
+            Self::UnitExponent => "write for example `m^2` or `s^-1`".to_owned(),
+            Self::Exponent { .. } => {
+                "divide by a quantity of its kind first, so that a plain number is raised"
+                    .to_owned()
+            }
+            Self::Dimension => "check the exponents".to_owned(),
+        }
     }
 }
 
@@ -235,7 +263,7 @@ fn did_you_mean(suggestions: &[String]) -> Option<String> {
     (!quoted.is_empty()).then(|| format!("did you mean {}?", quoted.join(" or ")))
 }
 
-fn character_help(found: char) -> Option<String> {
+fn character_help(found: char) -> String {
     let text = match found {
         '°' => "write `deg`",
         '²' | '³' => "write `^2` or `^3`",
@@ -252,7 +280,7 @@ fn character_help(found: char) -> Option<String> {
         ']' | '}' => "write `)`",
         '"' | '\'' => "put unusual names in backticks",
         c if c.is_alphabetic() => "put a name with this character in backticks",
-        _ => return None,
+        _ => "remove it",
     };
-    Some(text.to_owned())
+    text.to_owned()
 }

@@ -39,6 +39,10 @@
 //! A number without a unit takes whatever dimension its place asks for, and so does a product or
 //! quotient with it: `150 * t` may be an angle. Where both sides of `+`, `-` or a comparison are
 //! known they must agree; functions such as `sin` refuse a length; the whole must fit its place.
+//!
+//! A constant of a known dimension that is divided by a number without a unit, `length / 2`, is
+//! likely of its own dimension: where another one is asked for, [`Program::doubts`] has a warning.
+//! Factors, variables that are divided (`exp(-t/0.1)`) and divided angles stay free.
 #![forbid(unsafe_code)]
 
 mod builtin;
@@ -66,6 +70,6 @@ pub use program::Program;
 pub use quantity::Quantity;
 pub use scope::{EmptyScope, Function, Resolved, Scope, UnknownName};
 pub use spline::{Spline, SplineError};
-pub use suggest::nearest;
+pub use suggest::{matches, nearest, nearest_to_pattern};
 pub use syntax::is_identifier;
 pub use unit::Unit;

@@ -1,6 +1,5 @@
 //! Compiled expressions.
 
-use crate::Quantity;
 use crate::builtin;
 use crate::derive::dual::Dual;
 use crate::derive::hyper_dual::HyperDual;
@@ -9,6 +8,7 @@ use crate::derive::jet3::Jet3;
 use crate::derive::scalar::Scalar;
 use crate::emit::Code;
 use crate::instruction::Instruction;
+use crate::{ExprError, Quantity};
 use std::ops::Range;
 
 /// Values that a program may hold at once.
@@ -27,11 +27,13 @@ pub struct Program {
     text: String,
     quantity: Quantity,
     code: Code,
+    doubts: Vec<ExprError>,
 }
 
 impl Program {
-    pub(crate) fn new(text: &str, quantity: Quantity, code: Code) -> Self {
+    pub(crate) fn new(text: &str, quantity: Quantity, code: Code, doubts: Vec<ExprError>) -> Self {
         Self {
+            doubts,
             text: text.to_owned(),
             quantity,
             code,
@@ -46,6 +48,12 @@ impl Program {
     /// What is known of its dimension; that of its place where the text leaves it open.
     pub fn quantity(&self) -> Quantity {
         self.quantity
+    }
+
+    /// Places where dimensions agree only if a number without a unit that divides has one: likely
+    /// mistakes.
+    pub fn doubts(&self) -> &[ExprError] {
+        &self.doubts
     }
 
     /// Its value, where no variable takes part.

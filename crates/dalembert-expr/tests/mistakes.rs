@@ -112,7 +112,7 @@ fn branches_that_are_never_taken_may_divide_by_zero() {
 
 #[test]
 fn help_says_what_to_write() {
-    let help = |text: &str| errors(text, &machine())[0].help.clone().unwrap_or_default();
+    let help = |text: &str| errors(text, &machine())[0].help.clone();
     assert_eq!(help("2 t"), "for a product write `2*t`");
     assert_eq!(help("5 mmm"), "did you mean `mm`?");
     assert_eq!(help("5 KG"), "did you mean `kg`?");
@@ -148,4 +148,134 @@ fn mismatches_name_both_sides_in_words() {
     );
     assert_eq!(wrong[0].span, 0..3);
     assert_eq!(wrong[0].to_string(), wrong[0].message);
+}
+
+#[test]
+fn a_constant_divided_by_a_bare_number_is_likely_of_its_own_dimension() {
+    let scope = machine();
+    let doubts = |text: &str, place: Quantity| -> Vec<(&'static str, String)> {
+        let program = compile(text, &scope, place).unwrap_or_else(|e| panic!("{text}: {e:?}"));
+        program
+            .doubts()
+            .iter()
+            .map(|d| (d.code, d.message.clone()))
+            .collect()
+    };
+    let mass = Quantity::Known(Dim::MASS);
+    let length = Quantity::Known(Dim::LENGTH);
+    let doubtful: [(&str, Quantity, &str); 9] = [
+        (
+            "crank/2",
+            mass,
+            "this must be a mass (kg), but it seems to be a length (m)",
+        ),
+        (
+            "-(load/(2*pi))",
+            length,
+            "this must be a length (m), but it seems to be a force (N)",
+        ),
+        (
+            "crank + load/2",
+            length,
+            "it seems that `crank + load/2` adds a length (m) and a force (N)",
+        ),
+        (
+            "max(crank/2, load/3)",
+            Quantity::Free,
+            "it seems that `max(crank/2, load/3)` mixes a length (m) and a force (N)",
+        ),
+        (
+            "sin(crank/2)",
+            Quantity::Free,
+            "`sin` takes an angle or plain number, but this seems to be a length (m)",
+        ),
+        (
+            "crank^2/12",
+            length,
+            "this must be a length (m), but it seems to be an area (m^2)",
+        ),
+        (
+            "sqrt(crank*load/2)",
+            mass,
+            "this must be a mass (kg), but it seems to be a quantity (kg^(1/2) m/s)",
+        ),
+        (
+            "crank/cos(slider.x/1 m)",
+            mass,
+            "this must be a mass (kg), but it seems to be a length (m)",
+        ),
+        (
+            "slider.x*(crank/2)",
+            Quantity::Known(Dim::FORCE),
+            "this must be a force (N), but it seems to be an area (m^2)",
+        ),
+    ];
+    for (text, place, message) in doubtful {
+        let message = message.to_owned();
+        assert_eq!(doubts(text, place), [("doubtful-unit", message)], "{text}");
+    }
+    let inertia = Quantity::Known(Dim::INERTIA);
+    let angle = Quantity::Known(Dim::NONE);
+    for (text, place) in [
+        // The bare number may stand for a mass, a stiffness, a rate, a time.
+        ("0.5 * crank^2 / 12", inertia),
+        ("250 * slider.x", Quantity::Known(Dim::FORCE)),
+        ("30 deg + 150*t", angle),
+        ("pi*t/5 + t/0.1", angle),
+        ("exp(-t/0.1)", length),
+        ("30 deg/0.2*t", angle),
+        ("crank*ratio", mass),
+        ("crank/1 m*3", mass),
+        // Agreement.
+        ("crank/2", length),
+        ("2*pi*crank/3 + slider.x/2 + 0.3", length),
+        ("crank/2 + 0.3 m", length),
+        ("if(t > 1, crank/2, slider.x)", length),
+        ("sqrt(crank^2/4 + (crank/2)^2)", length),
+    ] {
+        assert_eq!(doubts(text, place), [], "{text}");
+    }
+    let quantity = |text: &str| compile(text, &scope, Quantity::Free).unwrap().quantity();
+    assert_eq!(quantity("crank/2"), Quantity::Likely(Dim::LENGTH));
+    assert_eq!(quantity("crank/2 + 1 m"), length);
+    assert_eq!(quantity("crank*ratio/2"), Quantity::Free);
+}
+
+#[test]
+fn every_mistake_has_a_remedy() {
+    let scope = machine();
+    for text in [
+        "",
+        "1 ? 2",
+        "1 ** 2",
+        "`a",
+        "``",
+        "crank.",
+        "1 +",
+        "1 + )",
+        "(1",
+        "1 )",
+        "2 t",
+        "5 xyzzy",
+        "5 m^1.5",
+        "0 < t < 1",
+        "qwerty",
+        "mm",
+        "sin",
+        "xyzzy(1)",
+        "sin(1, 2)",
+        "crank + t",
+        "sin(load)",
+        "crank^t",
+        "crank^100^2",
+        "1/0",
+        "1e308*10",
+        "ln(-1)",
+        "1/2 in",
+    ] {
+        let found = dalembert_expr::compile(text, &scope, Quantity::Free);
+        for error in found.expect_err(text) {
+            assert!(!error.help.is_empty(), "{text}: {error:?}");
+        }
+    }
 }

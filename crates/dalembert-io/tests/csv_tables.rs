@@ -18,14 +18,18 @@ fn read(test: &str, csv: &str, keys: &str) -> (Parsed, PathBuf) {
 
 #[track_caller]
 fn check_error(test: &str, csv: &str, keys: &str, message: &str) {
+    check_error_at("file", test, csv, keys, message);
+}
+
+fn check_error_at(key: &str, test: &str, csv: &str, keys: &str, message: &str) {
     let (parsed, _) = read(test, csv, keys);
     let messages: Vec<&str> = parsed
         .diagnostics
         .iter()
         .map(|d| d.message.as_str())
         .collect();
-    assert_eq!(messages, [format!("table \"f\": `file`: {message}")]);
-    assert_eq!(parsed.diagnostics[0].path, "table[0].file");
+    assert_eq!(messages, [format!("table \"f\": `{key}`: {message}")]);
+    assert_eq!(parsed.diagnostics[0].path, format!("table[0].{key}"));
 }
 
 fn numbers(numbers: &[f64]) -> Vec<Value> {
@@ -123,12 +127,16 @@ fn a_field_that_is_no_number() {
 
 #[test]
 fn a_column_that_is_not_there() {
-    check_error(
-        "short",
-        "0,1\n1,2\n",
-        "columns = [1, 3]\n",
-        "\"lift.csv\", line 1: there is no column 3",
-    );
+    // It is asked for where the columns are named, also below headings.
+    for csv in ["0,1\n1,2\n", "phi,lift\n0,1\n1,2\n"] {
+        check_error_at(
+            "columns[1]",
+            "short",
+            csv,
+            "columns = [1, 3]\n",
+            "\"lift.csv\", line 1: there is no column 3, the line has 2",
+        );
+    }
 }
 
 #[test]
@@ -137,7 +145,7 @@ fn too_few_lines() {
         "few",
         "x,y\n0,1\n",
         "",
-        "\"lift.csv\" has 1 lines of numbers; a table needs at least 2",
+        "\"lift.csv\" has 1 line of numbers; a table needs at least 2",
     );
 }
 

@@ -46,10 +46,10 @@ fn all_syntax_errors() {
     assert_eq!(
         findings(text),
         [
-            "toml-syntax 2:10 not valid TOML: invalid basic string, expected `\"` | -",
+            "toml-syntax 2:10 not valid TOML: invalid basic string, expected `\"` | texts, units and expressions stand in quotes, for example \"30 deg\"",
             "toml-syntax 3:9 not valid TOML: string values must be quoted, expected literal string | texts, units and expressions stand in quotes, for example \"30 deg\"",
             "toml-syntax 6:8 not valid TOML: string values must be quoted, expected literal string | texts, units and expressions stand in quotes, for example \"30 deg\"",
-            "toml-syntax 8:1 not valid TOML: duplicate key | -",
+            "toml-syntax 8:1 not valid TOML: duplicate key | a key stands only once in a section: remove one of the lines, or begin a new section above",
         ]
     );
 }
@@ -58,7 +58,9 @@ fn all_syntax_errors() {
 fn an_unclosed_list_is_one_mistake() {
     check(
         "[[body]]\nname = \"a\"\nposition = [0, 1\nmass = 1\nangle = 2\n",
-        &["toml-syntax 6:1 not valid TOML: missing comma between array elements, expected `,` | -"],
+        &[
+            "toml-syntax 6:1 not valid TOML: missing comma between array elements, expected `,` | a list stands in brackets with commas, for example [0, \"30 mm\"]",
+        ],
     );
 }
 
@@ -128,7 +130,7 @@ fn unknown_kind() {
     check(
         "[[constraint]]\nname = \"c\"\nkind = \"coupeler\"\nzzz = 1\n",
         &[
-            "missing-key 3:1 constraint \"c\": the key `terms` is missing | -",
+            "missing-key 3:1 constraint \"c\": the key `terms` is missing | add `terms = ...`",
             "unknown-kind 5:8 constraint \"c\": `kind`: there is no kind `coupeler` | did you mean `coupler`? allowed here: `fixed`, `coupler`, `expression`",
             "unknown-key 6:1 constraint \"c\": unknown key `zzz` | allowed here: `name`, `kind`, `terms`, `value`",
         ],
@@ -139,7 +141,7 @@ fn unknown_kind() {
         &[
             "unknown-kind 5:8 joint \"A\": `kind`: there is no kind `hook` | allowed here: `revolute`, `prismatic`, `weld`, `distance`, `pin-slot`, `gear`, `rack`, `cam`, `rolling-on-line`, `rolling-on-circle`",
             "unknown-body 6:11 joint \"A\": `bodies[0]`: there is no body \"a\" | known: `ground`",
-            "wrong-length 7:7 joint \"A\": `at[0]`: expected 2 entries, found 1 | -",
+            "wrong-length 7:7 joint \"A\": `at[0]`: expected 2 entries, found 1 | write [x, y]: the model is planar",
         ],
     );
 }
@@ -159,8 +161,8 @@ fn missing_keys() {
     check(
         "[[trace]]\nat = [0, 0]\n",
         &[
-            "missing-key 3:1 trace number 1: the key `name` is missing | -",
-            "missing-key 3:1 trace number 1: the key `body` is missing | -",
+            "missing-key 3:1 trace number 1: the key `name` is missing | add `name = ...`",
+            "missing-key 3:1 trace number 1: the key `body` is missing | add `body = ...`",
         ],
     );
 }
@@ -186,14 +188,14 @@ fn wrong_types() {
     check(
         "[[body]]\nname = 1\nmass = [1]\ninertia = 1979-05-27\nangle = true\nposition = \"a\"\nfixed = \"yes\"\nhold = [1]\nshape = 3\n",
         &[
-            "wrong-type 4:8 body number 1: `name`: expected a text, found a number | -",
-            "wrong-type 5:8 body number 1: `mass`: expected a number or a text like \"30 deg\", found a list | -",
-            "wrong-type 6:11 body number 1: `inertia`: expected a number or a text like \"30 deg\", found a date or time | -",
-            "wrong-type 7:9 body number 1: `angle`: expected a number or a text like \"30 deg\", found `true` or `false` | -",
-            "wrong-type 8:12 body number 1: `position`: expected a list of 2 numbers, found a text | -",
-            "wrong-type 9:9 body number 1: `fixed`: expected `true` or `false`, found a text | -",
-            "wrong-type 10:9 body number 1: `hold[0]`: expected one of `x`, `y`, `angle`, found a number | -",
-            "wrong-type 11:9 body number 1: `shape`: expected a table or a list of tables, found a number | -",
+            "wrong-type 4:8 body number 1: `name`: expected a text, found a number | write a text",
+            "wrong-type 5:8 body number 1: `mass`: expected a number or a text like \"30 deg\", found a list | write a number or a text like \"30 deg\"",
+            "wrong-type 6:11 body number 1: `inertia`: expected a number or a text like \"30 deg\", found a date or time | texts stand in quotes",
+            "wrong-type 7:9 body number 1: `angle`: expected a number or a text like \"30 deg\", found `true` or `false` | write a number or a text like \"30 deg\"",
+            "wrong-type 8:12 body number 1: `position`: expected a list of 2 numbers, found a text | write a list of 2 numbers",
+            "wrong-type 9:9 body number 1: `fixed`: expected `true` or `false`, found a text | write `true` or `false`",
+            "wrong-type 10:9 body number 1: `hold[0]`: expected one of `x`, `y`, `angle`, found a number | write one of `x`, `y`, `angle`",
+            "wrong-type 11:9 body number 1: `shape`: expected a table or a list of tables, found a number | write a table or a list of tables",
         ],
     );
     check(
@@ -205,9 +207,9 @@ fn wrong_types() {
     assert_eq!(
         findings("model = 3\nbody = [1]\nparameters = []\n"),
         [
-            "wrong-type 1:9 section [model]: expected a table, found a number | -",
-            "wrong-type 2:9 body number 1: expected a table, found a number | -",
-            "wrong-type 3:14 section [parameters]: expected a table, found a list | -",
+            "wrong-type 1:9 section [model]: expected a table, found a number | write a table",
+            "wrong-type 2:9 body number 1: expected a table, found a number | write a table",
+            "wrong-type 3:14 section [parameters]: expected a table, found a list | write a table",
         ]
     );
 }
@@ -216,31 +218,35 @@ fn wrong_types() {
 fn wrong_lengths() {
     assert_eq!(
         findings("[model]\nname = \"m\"\ngravity = [0, 0, -9.81]\n"),
-        ["wrong-length 3:11 section [model]: `gravity`: expected 2 entries, found 3 | -"]
+        [
+            "wrong-length 3:11 section [model]: `gravity`: expected 2 entries, found 3 | write [x, y]: the model is planar"
+        ]
     );
     assert_eq!(
         findings("[model]\nname = \"m\"\nspace = \"spatial\"\ngravity = [0, -9.81]\n"),
-        ["wrong-length 4:11 section [model]: `gravity`: expected 3 entries, found 2 | -"]
+        [
+            "wrong-length 4:11 section [model]: `gravity`: expected 3 entries, found 2 | write [x, y, z]"
+        ]
     );
     check_behind_bodies(
         "[[joint]]\nname = \"A\"\nkind = \"revolute\"\nbodies = [\"a\", \"b\", \"ground\"]\nat = [[0, 0], [1]]\n",
         &[
-            "wrong-length 10:10 joint \"A\": `bodies`: expected 2 entries, found 3 | -",
-            "wrong-length 11:15 joint \"A\": `at[1]`: expected 2 entries, found 1 | -",
+            "wrong-length 10:10 joint \"A\": `bodies`: expected 2 entries, found 3 | write [first, second]",
+            "wrong-length 11:15 joint \"A\": `at[1]`: expected 2 entries, found 1 | write [x, y]: the model is planar",
         ],
     );
     check_behind_bodies(
         "[[force]]\nname = \"B\"\nkind = \"bushing\"\nbodies = [\"a\", \"b\"]\npoint = [0, 0]\nstiffness = [1, 2]\ndamping = [[1, 0, 0], [0, 1], [0, 0, 1]]\n",
         &[
-            "wrong-length 12:13 force \"B\": `stiffness`: expected 3 entries, found 2 | -",
-            "wrong-length 13:23 force \"B\": `damping[1]`: expected 3 entries, found 2 | -",
+            "wrong-length 12:13 force \"B\": `stiffness`: expected 3 entries, found 2 | give the diagonal, or all rows",
+            "wrong-length 13:23 force \"B\": `damping[1]`: expected 3 entries, found 2 | complete the row",
         ],
     );
     check(
         "[[body]]\nname = \"a\"\nshape = { kind = \"polygon\", points = [[0, 0], [1, 0]] }\n[[constraint]]\nname = \"c\"\nkind = \"coupler\"\nterms = []\n",
         &[
-            "wrong-length 5:38 body \"a\": `shape[0].points`: expected at least 3 entries, found 2 | -",
-            "wrong-length 9:9 constraint \"c\": `terms`: expected at least 1 entries, found 0 | -",
+            "wrong-length 5:38 body \"a\": `shape[0].points`: expected at least 3 entries, found 2 | give the corners [[x, y], ...]",
+            "wrong-length 9:9 constraint \"c\": `terms`: expected at least 1 entry, found 0 | write [{ factor = 1, kind = \"angle\", ... }]",
         ],
     );
 }
@@ -250,10 +256,10 @@ fn numbers_must_be_finite() {
     check(
         "[parameters]\na = inf\nb = -nan\nc = 1e999\nd = 123456789012345678901234567890\ne = 0x10\nf = -3\n",
         &[
-            "not-finite 4:5 parameter \"a\": the number must be finite and not too large | -",
-            "not-finite 5:5 parameter \"b\": the number must be finite and not too large | -",
-            "not-finite 6:5 parameter \"c\": the number must be finite and not too large | -",
-            "not-finite 7:5 parameter \"d\": the number must be finite and not too large | -",
+            "not-finite 4:5 parameter \"a\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
+            "not-finite 5:5 parameter \"b\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
+            "not-finite 6:5 parameter \"c\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
+            "not-finite 7:5 parameter \"d\": the number must be finite and not too large | give a number of a usual size; a limit that does not exist is left out",
         ],
     );
 }
@@ -263,9 +269,9 @@ fn whole_numbers() {
     check(
         "[analysis]\nmax_iterations = 1.5\n[[table]]\nname = \"f\"\nfile = \"f.csv\"\ncolumns = [0, 1]\n",
         &[
-            "wrong-type 4:18 section [analysis]: `max_iterations`: expected a whole number, found a number | -",
+            "wrong-type 4:18 section [analysis]: `max_iterations`: expected a whole number, found a number | write a whole number",
             "csv 7:8 table \"f\": `file`: the model was not read from a folder, so \"f.csv\" cannot be found | give `x` and `y` in the model file",
-            "out-of-range 8:12 table \"f\": `columns[0]`: expected a whole number from 1 to 4294967295 | -",
+            "out-of-range 8:12 table \"f\": `columns[0]`: expected a whole number from 1 to 4294967295 | give a number from this range",
         ],
     );
 }
@@ -275,8 +281,8 @@ fn empty_texts() {
     check(
         "[parameters]\nr = \" \"\n[analysis]\nindependent = [\"\"]\n",
         &[
-            "empty-text 4:5 parameter \"r\": expected a number or a text like \"30 deg\", found an empty text | -",
-            "empty-text 6:16 section [analysis]: `independent[0]`: the text must not be empty | -",
+            "empty-text 4:5 parameter \"r\": expected a number or a text like \"30 deg\", found an empty text | give the value, or remove the key",
+            "empty-text 6:16 section [analysis]: `independent[0]`: the text must not be empty | give the text, or remove the key",
         ],
     );
 }
@@ -287,14 +293,18 @@ fn bad_names() {
     check(
         "[[body]]\nname = \"\"\n[[body]]\nname = \"a.b\"\n",
         &[
-            &format!("bad-name 4:8 body number 1: `name`: {rule} | -"),
-            &format!("bad-name 6:8 body \"a.b\": `name`: {rule} | -"),
+            &format!(
+                "bad-name 4:8 body number 1: `name`: {rule} | choose another name, such as `crank_2`"
+            ),
+            &format!(
+                "bad-name 6:8 body \"a.b\": `name`: {rule} | choose another name, such as `crank_2`"
+            ),
         ],
     );
     check(
         "[parameters]\n\"2 r\" = 1\n",
         &[
-            "bad-name 4:1 parameter \"2 r\": a name for expressions starts with a letter and has letters (a to z, A to Z), digits and underscores only | -",
+            "bad-name 4:1 parameter \"2 r\": a name for expressions starts with a letter and has letters (a to z, A to Z), digits and underscores only | choose another name, such as `crank_length`",
         ],
     );
 }
@@ -448,12 +458,12 @@ fn cam_profiles() {
             &format!(
                 "wrong-combination 19:13 joint \"2\": `profile`: `x` and `y` need each other | {help}"
             ),
-            "missing-key 20:12 joint \"2\": `follower`: the key `radius` is missing | -",
+            "missing-key 20:12 joint \"2\": `follower`: the key `radius` is missing | add `radius = ...`",
             &format!(
                 "wrong-combination 26:11 joint \"3\": `profile`: a profile needs `radius`, or `x` and `y` | {help}"
             ),
             "unknown-kind 27:21 joint \"3\": `follower.kind`: there is no kind `knife` | allowed here: `knife-edge`, `roller`, `flat`",
-            "wrong-type 33:11 joint \"4\": `profile`: expected a table, found a text | -",
+            "wrong-type 33:11 joint \"4\": `profile`: expected a table, found a text | write a table",
             "unknown-key 34:29 joint \"4\": `follower`: unknown key `radius` | allowed here: `kind`",
         ],
     );
@@ -463,16 +473,16 @@ fn cam_profiles() {
 fn points_of_tables() {
     let help = "give `x` and `y`, or the name of a CSV `file` beside the model file";
     check(
-        "[[table]]\nname = \"1\"\n[[table]]\nname = \"2\"\nx = [0, 1]\n[[table]]\nname = \"3\"\nx = [0, 1]\ny = [0, 1, 2]\nx_unit = \"deg\"\n[[table]]\nname = \"4\"\nx = [0]\ny = [0]\n[[table]]\nname = \"5\"\nx = [0]\nfile = \"f\"\n",
+        "[[table]]\nname = \"t1\"\n[[table]]\nname = \"t2\"\nx = [0, 1]\n[[table]]\nname = \"t3\"\nx = [0, 1]\ny = [0, 1, 2]\nx_unit = \"deg\"\n[[table]]\nname = \"t4\"\nx = [0]\ny = [0]\n[[table]]\nname = \"t5\"\nx = [0]\nfile = \"f\"\n",
         &[
-            &format!("wrong-combination 3:1 table \"1\": the points are missing | {help}"),
-            &format!("wrong-combination 7:1 table \"2\": `x` and `y` need each other | {help}"),
-            "wrong-length 11:5 table \"3\": `y`: expected 2 (as many as `x`) entries, found 3 | -",
+            &format!("wrong-combination 3:1 table \"t1\": the points are missing | {help}"),
+            &format!("wrong-combination 7:1 table \"t2\": `x` and `y` need each other | {help}"),
+            "wrong-length 11:5 table \"t3\": `y`: expected 2 (as many as `x`) entries, found 3 | give every point both numbers",
             &format!(
-                "wrong-combination 12:1 table \"3\": `x_unit` speaks of a CSV `file` | {help}"
+                "wrong-combination 12:1 table \"t3\": `x_unit` speaks of a CSV `file` | {help}"
             ),
-            "wrong-length 15:5 table \"4\": `x`: expected at least 2 entries, found 1 | -",
-            &format!("wrong-combination 20:1 table \"5\": `file` excludes `x` and `y` | {help}"),
+            "wrong-length 15:5 table \"t4\": `x`: expected at least 2 entries, found 1 | add points",
+            &format!("wrong-combination 20:1 table \"t5\": `file` excludes `x` and `y` | {help}"),
         ],
     );
 }

@@ -18,4 +18,4 @@ pub mod signal;
 pub mod solve;
 pub mod space;
 pub mod system;
-pub mod text;
+pub mod words;

@@ -1,7 +1,7 @@
 //! Inputs of expressions: time, and values and rates of measures between markers.
 
 use crate::joint::Measure;
-use crate::space::PlanarMarker;
+use crate::space::{Planar, Space};
 use dalembert_expr::Program;
 
 /// Most inputs of one expression.
@@ -20,37 +20,36 @@ pub enum SignalKind {
 
 /// One input of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Signal {
+pub struct Signal<S: Space = Planar> {
     /// Kind.
     pub kind: SignalKind,
     /// Measure, on the markers of the element that owns the expression; unused for time.
-    pub measure: Measure,
+    pub measure: Measure<S>,
 }
 
-impl Signal {
+impl<S: Space> Signal<S> {
     /// Its value at a state.
-    pub fn read(&self, t: f64, markers: &[PlanarMarker]) -> f64 {
-        let m = self.measure;
+    pub fn read(&self, t: f64, markers: &[S::Marker]) -> f64 {
         match self.kind {
             SignalKind::Time => t,
-            SignalKind::Value => m.kind.value(&markers[m.first], &markers[m.second]),
-            SignalKind::Rate => m.kind.evaluate(&markers[m.first], &markers[m.second]).rate,
+            SignalKind::Value => self.measure.value(markers),
+            SignalKind::Rate => self.measure.evaluate(markers).rate,
         }
     }
 }
 
 /// A coefficient of a force element: a constant, or an expression of the state.
 #[derive(Clone, Debug)]
-pub enum Coefficient {
+pub enum Coefficient<S: Space = Planar> {
     /// A constant.
     Constant(f64),
     /// An expression with its inputs.
-    Expression(Box<Program>, Vec<Signal>),
+    Expression(Box<Program>, Vec<Signal<S>>),
     /// The negative of an expression.
-    Negated(Box<Program>, Vec<Signal>),
+    Negated(Box<Program>, Vec<Signal<S>>),
 }
 
-fn read(program: &Program, inputs: &[Signal], t: f64, markers: &[PlanarMarker]) -> f64 {
+fn read<S: Space>(program: &Program, inputs: &[Signal<S>], t: f64, markers: &[S::Marker]) -> f64 {
     let mut values = [0.0; MAX_INPUTS];
     for (value, signal) in values.iter_mut().zip(inputs) {
         *value = signal.read(t, markers);
@@ -58,7 +57,7 @@ fn read(program: &Program, inputs: &[Signal], t: f64, markers: &[PlanarMarker]) 
     program.eval(&values[..inputs.len()])
 }
 
-impl Coefficient {
+impl<S: Space> Coefficient<S> {
     /// The coefficient with the other sign.
     #[must_use]
     pub fn negated(self) -> Self {
@@ -70,7 +69,7 @@ impl Coefficient {
     }
 
     /// Its value at a state; markers of the element that owns it.
-    pub fn value(&self, t: f64, markers: &[PlanarMarker]) -> f64 {
+    pub fn value(&self, t: f64, markers: &[S::Marker]) -> f64 {
         match self {
             Self::Constant(value) => *value,
             Self::Expression(program, inputs) => read(program, inputs, t, markers),

@@ -38,8 +38,17 @@ static ALLOCATOR: Counting = Counting;
 
 #[test]
 fn steps_allocate_nothing() {
-    for driven in [false, true] {
+    // With a rod that has mass, none, and so little that it is treated as if it had none.
+    for (driven, rod) in [
+        (false, 0.8),
+        (true, 0.8),
+        (false, 0.0),
+        (true, 0.0),
+        (false, 1e-12),
+    ] {
         let mut model = slider_crank();
+        model.bodies[1].mass = Some(rod.into());
+        model.bodies[1].inertia = Some((rod * 0.35 * 0.35 / 12.0).into());
         if driven {
             model
                 .drivers
@@ -80,10 +89,10 @@ fn steps_allocate_nothing() {
             integrator.interpolate(integrator.t, &mut out);
         }
         let allocated = COUNT.with(Cell::get) - before;
-        assert_eq!(allocated, 0, "driven: {driven}");
+        assert_eq!(allocated, 0, "driven: {driven}, rod: {rod} kg");
         assert!(
             integrator.t > 0.1,
-            "the steps are real: t = {}",
+            "the steps are real: t = {}; driven: {driven}, rod: {rod} kg",
             integrator.t
         );
     }

@@ -62,7 +62,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         print_sweep(sweep);
     }
     for note in notes {
-        say!("  note: {note}");
+        summary::tell(&note);
     }
     Ok(())
 }

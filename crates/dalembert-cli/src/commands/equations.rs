@@ -2,19 +2,16 @@
 
 use crate::arguments::{EquationsArgs, EquationsBasis, EquationsFrame};
 use crate::failure::Failure;
-use crate::load::load;
+use crate::load::{load, move_to};
 use crate::output::write_text;
 use dalembert::analysis::{Assembly, EquationBasis, Equations, ReferenceFrame};
 
 /// Prints the equations at the assembled start.
 pub fn run(args: &EquationsArgs) -> Result<(), Failure> {
-    let loaded = load(&args.model, |model| {
-        if let Some(time) = &args.time {
-            model.analysis.start = Some(crate::load::number_or_text(time));
-            // The end only matters to runs; it must stay behind the start.
-            model.analysis.end = None;
-        }
-    })?;
+    let mut loaded = load(&args.model, |_| {})?;
+    if let Some(time) = &args.time {
+        move_to(&mut loaded, &args.model, time)?;
+    }
     let system = &loaded.compiled.system;
     let (state, _) = Assembly::default().run(system)?;
     let analysis = Equations {

@@ -18,10 +18,12 @@ pub fn run(args: &NewArgs) -> Result<(), Failure> {
         return Ok(());
     }
     let names: Vec<&str> = templates().iter().map(|t| t.name).collect();
-    let hint = dalembert::text::nearest(name, names.iter().copied()).map_or_else(
-        || format!("the templates are: {}", names.join(", ")),
-        |n| format!("did you mean '{n}'?"),
-    );
+    let hint = dalembert_expr::nearest(name, names.iter().copied())
+        .first()
+        .map_or_else(
+            || format!("the templates are: {}", names.join(", ")),
+            |n| format!("did you mean '{n}'?"),
+        );
     Err(Failure::Usage(format!(
         "there is no template '{name}'; {hint}"
     )))

@@ -13,13 +13,27 @@ pub fn run(args: &PlotArgs) -> Result<(), Failure> {
         path: args.results.clone(),
         cause: e.to_string(),
     })?;
+    if results.is_empty() {
+        return Err(Failure::File {
+            path: args.results.clone(),
+            cause: "the file has no rows: there is nothing to draw".to_owned(),
+        });
+    }
     let usage = |e: dalembert_io::result_file::UnknownChannel| Failure::Usage(e.to_string());
     let ys = select(&results, &args.channels).map_err(usage)?;
     let x = match &args.against {
-        Some(name) => select(&results, std::slice::from_ref(name))
-            .map_err(usage)?
-            .first()
-            .copied(),
+        Some(name) => {
+            let found = select(&results, std::slice::from_ref(name)).map_err(usage)?;
+            if found.len() > 1 {
+                let names: Vec<&str> = found.iter().map(|c| c.name.as_str()).collect();
+                return Err(Failure::Usage(format!(
+                    "--against {name}: {} channels match, the horizontal axis takes one: {}",
+                    names.len(),
+                    dalembert_io::result_file::some_of(&names)
+                )));
+            }
+            found.first().copied()
+        }
         None => results.channels.first(),
     };
     let Some(x) = x else {

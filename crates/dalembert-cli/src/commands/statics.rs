@@ -7,6 +7,7 @@ use crate::{output, summary};
 use dalembert::analysis::{
     Assembly, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown, holding_loads,
 };
+use dalembert::words::counted;
 
 /// Finds the equilibria, or the loads that hold the machine in its pose.
 pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
@@ -88,10 +89,10 @@ fn print_report(report: &StaticsReport, names: &[String]) {
             Stability::Unstable => "unstable",
         };
         say!(
-            "  {}: {stability}, residual {}, {} iterations",
+            "  {}: {stability}, residual {}, {}",
             k + 1,
             summary::number(e.residual),
-            e.iterations
+            counted(e.iterations, "iteration")
         );
         let mut motions = e.motions.clone();
         motions.dedup();
@@ -110,6 +111,6 @@ fn print_report(report: &StaticsReport, names: &[String]) {
         }
     }
     for note in &report.results.notes {
-        say!("  note: {note}");
+        summary::tell(note);
     }
 }

@@ -180,7 +180,7 @@ fn falling_rod_reactions() {
     });
 }
 
-/// Planetary gear with three planets in a fixed ring (Willis): one mesh is redundant.
+/// Planetary gear with three planets in a fixed ring (Willis): two meshes are redundant.
 #[test]
 fn planetary_gear_with_redundant_mesh() {
     published("simulate", "planetary-gear.toml", "", |run| {

@@ -170,3 +170,38 @@ fn example_5_2() {
         );
     });
 }
+
+/// Example 3.13 in the book's own coordinates: the loop equations as constraints of the user.
+#[test]
+fn example_3_13_by_its_loop_equations() {
+    published("kinematics", "loop-equations.toml", "", |run| {
+        run.near(0.0, "coupler.angle", 0.16203002666534397, 1e-13);
+        run.near(0.0, "rocker.angle", 4.360304717755604, 1e-13);
+        run.near(0.0, "coupler.omega", -0.3900604489967335, 1e-12);
+        run.near(0.0, "rocker.omega", 3.703093258639361, 1e-12);
+        run.near(0.0, "coupler.alpha", 5.127100640852201, 1e-11);
+        run.near(0.0, "rocker.alpha", 6.0927797170790265, 1e-11);
+        // Where the crank is not rounded to 63 degrees.
+        let (t, start) = (0.02, 57.27_f64.to_radians());
+        let [angles, ..] = four_bar_closed_form([0.35, 0.2, 0.35, 0.25], start + 5.0 * t, 5.0, 1.0);
+        run.same("coupler", angles[0], 0.16203060131882652, 1e-13);
+    });
+    let options = "start=1.0995500626171526";
+    published("kinematics", "loop-equations.toml", options, |run| {
+        run.near(0.0, "coupler.angle", 0.16203060131882652, 1e-13);
+        run.near(0.0, "rocker.angle", 4.360299262262077, 1e-13);
+        // The whole motion by triangles.
+        for k in 0..=10 {
+            let t = 0.1 * f64::from(k);
+            let angle = 1.0995500626171526 + 5.0 * t;
+            let [angles, rates, seconds] =
+                four_bar_closed_form([0.35, 0.2, 0.35, 0.25], angle, 5.0, 1.0);
+            let sense = (run.at(t, "coupler.angle") - angles[0]).cos();
+            run.same(&format!("coupler at {t}"), sense, 1.0, 1e-12);
+            run.near(t, "coupler.omega", rates[0], 1e-10);
+            run.near(t, "rocker.omega", rates[1], 1e-10);
+            run.near(t, "coupler.alpha", seconds[0], 1e-9);
+            run.near(t, "rocker.alpha", seconds[1], 1e-9);
+        }
+    });
+}

@@ -3,8 +3,9 @@
 pub(crate) mod fold;
 mod rules;
 
-use crate::builtin::{self, Builtin, Operation};
+use crate::builtin::{self, Builtin, Operation, Rule};
 use crate::error::{ExprError, Fault, MOST_ERRORS, excerpt};
+use crate::quantity::Clash;
 use crate::scope::{Function, Resolved, Scope};
 use crate::syntax::token::Path;
 use crate::syntax::tree::{self, Binary, Id, Node, Tree};
@@ -26,6 +27,17 @@ pub(crate) struct Meaning {
     pub callee: Option<Callee>,
     /// The branch of an `if` whose condition does not change.
     pub taken: Option<Id>,
+    /// Is it made of numbers without units only? As a divisor it is then taken as a plain number.
+    pub bare: bool,
+}
+
+/// A text without mistakes.
+#[derive(Debug)]
+pub(crate) struct Checked {
+    /// The meaning of every node.
+    pub known: Vec<Meaning>,
+    /// Dimensions that do not agree if bare divisors are plain numbers.
+    pub doubts: Vec<ExprError>,
 }
 
 /// A function of the language or of the scope.
@@ -41,31 +53,49 @@ pub(crate) fn check(
     tree: &Tree,
     scope: &dyn Scope,
     expected: Quantity,
-) -> Result<Vec<Meaning>, Vec<ExprError>> {
+) -> Result<Checked, Vec<ExprError>> {
     let mut checker = Checker {
         text,
         tree,
         scope,
         known: Vec::with_capacity(tree.len()),
         faults: Vec::new(),
+        doubts: Vec::new(),
     };
     for id in 0..tree.len() {
         let meaning = checker.meaning(id);
         checker.known.push(meaning);
     }
-    if let Some(given) = checker.known.last().and_then(|root| root.quantity)
-        && given.join(expected).is_err()
-    {
+    if let Some(given) = checker.known.last().and_then(|root| root.quantity) {
         let root = tree.len() - 1;
-        checker.report(root, Fault::Expected { expected, given }, tree.span(root));
+        match given.join(expected).1 {
+            Some(Clash::Sure(..)) => {
+                checker.report(root, Fault::Expected { expected, given }, tree.span(root));
+            }
+            Some(Clash::Doubtful(..)) => checker.doubt(
+                root,
+                "this must be".to_owned(),
+                expected.describe(),
+                ", but it seems to be ",
+                given.describe(),
+            ),
+            None => {}
+        }
     }
-    if checker.faults.is_empty() {
-        return Ok(checker.known);
+    let told = |faults: &[(Id, Fault, Range<usize>)]| -> Vec<ExprError> {
+        let first = faults.iter().take(MOST_ERRORS);
+        first
+            .map(|(_, f, span)| ExprError::new(f, span.clone()))
+            .collect()
+    };
+    if !checker.faults.is_empty() {
+        return Err(told(&checker.faults));
     }
-    let errors = checker.faults.iter().take(MOST_ERRORS);
-    Err(errors
-        .map(|(_, f, span)| ExprError::new(f, span.clone()))
-        .collect())
+    let doubts = told(&checker.doubts);
+    Ok(Checked {
+        known: checker.known,
+        doubts,
+    })
 }
 
 struct Checker<'a> {
@@ -74,11 +104,27 @@ struct Checker<'a> {
     scope: &'a dyn Scope,
     known: Vec<Meaning>,
     faults: Vec<(Id, Fault, Range<usize>)>,
+    doubts: Vec<(Id, Fault, Range<usize>)>,
 }
 
 impl Checker<'_> {
     fn report(&mut self, id: Id, fault: Fault, span: Range<usize>) {
         self.faults.push((id, fault, span));
+    }
+
+    /// Notes two dimensions that agree only if a bare divisor has a unit.
+    fn doubt(&mut self, id: Id, what: String, left: String, link: &'static str, right: String) {
+        let fault = Fault::Doubtful {
+            what,
+            left,
+            link,
+            right,
+        };
+        self.doubts.push((id, fault, self.tree.span(id)));
+    }
+
+    fn bare(&self, id: Id) -> bool {
+        self.known[id].bare
     }
 
     fn quantity(&self, id: Id) -> Option<Quantity> {
@@ -102,6 +148,7 @@ impl Checker<'_> {
             Node::Negate(operand) => Meaning {
                 quantity: self.quantity(*operand),
                 value: self.value(*operand).map(|v| -v),
+                bare: self.bare(*operand),
                 ..Meaning::default()
             },
             Node::Not(operand) => Meaning {
@@ -134,6 +181,7 @@ impl Checker<'_> {
         Meaning {
             quantity: Some(quantity),
             value: self.finite(id, Some(if lost { f64::NAN } else { si })),
+            bare: unit.is_none(),
             ..Meaning::default()
         }
     }
@@ -143,6 +191,7 @@ impl Checker<'_> {
             return Meaning {
                 quantity: Some(Quantity::Free),
                 value: Some(value),
+                bare: true,
                 ..Meaning::default()
             };
         }
@@ -171,7 +220,8 @@ impl Checker<'_> {
                     Some(word) if Unit::named(word).is_some() => Fault::LooseUnit { name },
                     _ => {
                         if unknown.suggestions.is_empty() && parts.len() == 1 {
-                            unknown.suggestions = suggest::nearest(&name, ["pi", "tau"]);
+                            unknown.suggestions =
+                                suggest::owned(suggest::nearest(&name, ["pi", "tau"]));
                         }
                         Fault::UnknownName { name, unknown }
                     }
@@ -195,6 +245,7 @@ impl Checker<'_> {
         Meaning {
             quantity,
             value,
+            bare: self.bare(left) && self.bare(right),
             ..Meaning::default()
         }
     }
@@ -206,7 +257,7 @@ impl Checker<'_> {
         let Some(table) = self.scope.function(name) else {
             let fault = Fault::UnknownFunction {
                 name: name.to_owned(),
-                suggestions: suggest::nearest(name, Builtin::names()),
+                suggestions: suggest::owned(suggest::nearest(name, Builtin::names())),
                 variable: self.scope.variable(&[name]).is_ok(),
             };
             self.report(id, fault, name_span.clone());
@@ -249,6 +300,8 @@ impl Checker<'_> {
         let mut meaning = Meaning {
             quantity,
             callee: Some(Callee::Builtin(function)),
+            // The value of a sine is a plain number, like a literal.
+            bare: matches!(function.rule, Rule::Plain) || arguments.iter().all(|a| self.bare(*a)),
             ..Meaning::default()
         };
         if matches!(function.operation, Operation::If) {

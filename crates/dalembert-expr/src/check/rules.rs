@@ -3,6 +3,7 @@
 use super::Checker;
 use crate::builtin::{Builtin, Rule};
 use crate::error::Fault;
+use crate::quantity::Clash;
 use crate::syntax::tree::{Binary, Id};
 use crate::{Dim, Quantity};
 
@@ -31,16 +32,22 @@ impl Checker<'_> {
         left: Id,
         right: Id,
     ) -> Option<Quantity> {
-        use Quantity::{Free, Known};
+        use Quantity::{Known, Likely};
         if matches!(op, Binary::And | Binary::Or) {
             let (a, b) = (self.condition(id, left), self.condition(id, right));
             return a.and(b);
         }
         let (a, b) = (self.quantity(left)?, self.quantity(right)?);
-        let dim = match (op, a, b) {
-            (Binary::Multiply, Known(a), Known(b)) => a.times(b),
-            (Binary::Divide, Known(a), Known(b)) => a.over(b),
-            (Binary::Multiply | Binary::Divide, ..) => return Some(Free),
+        let quantity = match (op, a, b) {
+            (Binary::Multiply, ..) => a.combine(b, Dim::times),
+            // Half a constant length is likely a length. A variable is often divided by a bare
+            // scale of its own kind, as in `exp(-t/0.1)`, and an angle by a bare time.
+            (Binary::Divide, Known(dim) | Likely(dim), _)
+                if self.bare(right) && self.value(left).is_some() && !dim.is_none() =>
+            {
+                Likely(dim)
+            }
+            (Binary::Divide, ..) => a.combine(b, Dim::over),
             (Binary::Power, ..) => return self.power_quantity(id, a, right),
             (Binary::Add | Binary::Subtract, ..) => {
                 let verb = if op == Binary::Add {
@@ -55,15 +62,18 @@ impl Checker<'_> {
                 return Some(Known(Dim::NONE));
             }
         };
-        self.moderate(id, dim)
+        self.moderate(id, quantity)
     }
 
-    fn moderate(&mut self, id: Id, dim: Dim) -> Option<Quantity> {
-        if !dim.is_moderate() {
-            self.report(id, Fault::Dimension, self.tree.span(id));
-            return None;
+    fn moderate(&mut self, id: Id, quantity: Quantity) -> Option<Quantity> {
+        match quantity {
+            Quantity::Known(dim) if !dim.is_moderate() => {
+                self.report(id, Fault::Dimension, self.tree.span(id));
+                None
+            }
+            Quantity::Likely(dim) if !dim.is_moderate() => Some(Quantity::Free),
+            _ => Some(quantity),
         }
-        Some(Quantity::Known(dim))
     }
 
     fn power_quantity(&mut self, id: Id, base: Quantity, exponent: Id) -> Option<Quantity> {
@@ -78,13 +88,18 @@ impl Checker<'_> {
             self.report(id, fault, self.tree.span(exponent));
             return None;
         }
-        let Quantity::Known(dim) = base else {
+        let Some(dim) = base.likely() else {
             return Some(Quantity::Free);
         };
         let result = match self.value(exponent) {
             _ if dim.is_none() => Some(dim),
             Some(power) => dim.power(power),
             None => None,
+        };
+        let result = match (base, result) {
+            (Quantity::Known(_), Some(dim)) => Some(Quantity::Known(dim)),
+            (Quantity::Known(_), None) => None,
+            (_, dim) => Some(dim.map_or(Quantity::Free, Quantity::Likely)),
         };
         let Some(result) = result else {
             let base = dim.describe();
@@ -98,19 +113,21 @@ impl Checker<'_> {
     fn same(&mut self, id: Id, verb: &str, terms: &[Id]) -> Option<Quantity> {
         let mut common = Quantity::Free;
         for &term in terms {
-            match common.join(self.quantity(term)?) {
-                Ok(joined) => common = joined,
-                Err((left, right)) => {
-                    let span = self.tree.span(id);
-                    let fault = Fault::Mismatch {
-                        what: format!("{} {verb}", self.source(span.clone())),
-                        left: left.describe(),
-                        right: right.describe(),
-                    };
-                    self.report(id, fault, span);
-                    return None;
-                }
+            let (joined, clash) = common.join(self.quantity(term)?);
+            common = joined;
+            let Some(Clash::Sure(left, right) | Clash::Doubtful(left, right)) = clash else {
+                continue;
+            };
+            let span = self.tree.span(id);
+            let what = format!("{} {verb}", self.source(span.clone()));
+            let (left, right) = (left.describe(), right.describe());
+            if matches!(clash, Some(Clash::Doubtful(..))) {
+                let what = format!("it seems that {what}");
+                self.doubt(id, what, left, " and ", right);
+                continue;
             }
+            self.report(id, Fault::Mismatch { what, left, right }, span);
+            return None;
         }
         Some(common)
     }
@@ -124,8 +141,15 @@ impl Checker<'_> {
         argument: Id,
     ) -> Option<()> {
         let given = self.quantity(argument)?;
-        if given.join(wanted).is_ok() {
-            return Some(());
+        match given.join(wanted).1 {
+            None => return Some(()),
+            Some(Clash::Doubtful(..)) => {
+                let what = format!("`{name}` takes");
+                let (wanted, given) = (wanted.describe(), given.describe());
+                self.doubt(argument, what, wanted, ", but this seems to be ", given);
+                return Some(());
+            }
+            Some(Clash::Sure(..)) => {}
         }
         let fault = Fault::WrongArgument {
             what: format!("`{name}`"),
@@ -146,7 +170,7 @@ impl Checker<'_> {
         let plain = |quantity: Quantity| match quantity {
             // Nothing is known: the value may be meant in SI units of its place.
             Quantity::Free => Quantity::Free,
-            Quantity::Known(_) => Quantity::Known(Dim::NONE),
+            Quantity::Likely(_) | Quantity::Known(_) => Quantity::Known(Dim::NONE),
         };
         match function.rule {
             Rule::Plain => {
@@ -162,8 +186,12 @@ impl Checker<'_> {
                 condition.and(value)
             }
             Rule::Root => {
-                let Quantity::Known(dim) = self.quantity(arguments[0])? else {
-                    return Some(Quantity::Free);
+                let dim = match self.quantity(arguments[0])? {
+                    Quantity::Free => return Some(Quantity::Free),
+                    Quantity::Likely(dim) => {
+                        return Some(dim.sqrt().map_or(Quantity::Free, Quantity::Likely));
+                    }
+                    Quantity::Known(dim) => dim,
                 };
                 let root = dim.sqrt();
                 if root.is_none() {

@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SplineError {
     /// Not as many values as arguments.
-    #[error("{x} arguments but {y} values: every point needs both")]
+    #[error("x has length {x}, but y has length {y}: every point needs both")]
     Lengths {
         /// Number of arguments.
         x: usize,
@@ -12,7 +12,7 @@ pub enum SplineError {
         y: usize,
     },
     /// Not enough points.
-    #[error("{given} points are too few: this interpolation needs {least}")]
+    #[error("there are too few points ({given}): this interpolation needs {least}")]
     TooFew {
         /// Number of points.
         given: usize,

@@ -50,7 +50,7 @@ impl Parser<'_> {
             return None;
         }
         let span = self.span_ahead(0);
-        let suggestions = suggest::nearest(&name, Unit::names());
+        let suggestions = suggest::owned(suggest::nearest(&name, Unit::names()));
         self.report(Fault::UnknownUnit { name, suggestions }, span);
         self.skip(1);
         Some(Unit::ONE)

@@ -26,7 +26,10 @@ impl Scope for Names {
         }
         let known = self.slots.iter().map(|(n, _)| *n);
         Err(UnknownName {
-            suggestions: dalembert_expr::nearest(&name, known),
+            suggestions: dalembert_expr::nearest(&name, known)
+                .into_iter()
+                .map(str::to_owned)
+                .collect(),
             note: None,
         })
     }

@@ -14,11 +14,14 @@ pub(super) enum CsvError {
     #[error("cannot read \"{file}\": {reason}")]
     Unreadable { file: String, reason: String },
     /// A line is too short.
-    #[error("\"{file}\", line {line}: there is no column {column}")]
+    #[error("\"{file}\", line {line}: there is no column {column}, the line has {found}")]
     NoColumn {
         file: String,
         line: u64,
         column: usize,
+        found: usize,
+        /// Which of the two columns it is: 0 for x, 1 for y.
+        entry: usize,
     },
     /// A field is not a finite number.
     #[error("\"{file}\", line {line}, column {column}: \"{text}\" is not a finite number")]
@@ -29,26 +32,23 @@ pub(super) enum CsvError {
         text: String,
     },
     /// There is nothing to interpolate between.
-    #[error("\"{file}\" has {found} lines of numbers; a table needs at least 2")]
+    #[error("\"{file}\" has {found} line{} of numbers; a table needs at least 2", if *found == 1 { "" } else { "s" })]
     TooFew { file: String, found: usize },
 }
 
 impl CsvError {
     /// What to do.
-    pub fn help(&self) -> Option<String> {
+    pub fn help(&self) -> &'static str {
         match self {
-            Self::NoFolder { .. } => Some("give `x` and `y` in the model file".to_owned()),
-            Self::Unreadable { .. } => {
-                Some("the name is relative to the folder of the model file".to_owned())
-            }
+            Self::NoFolder { .. } => "give `x` and `y` in the model file",
+            Self::Unreadable { .. } => "the name is relative to the folder of the model file",
             Self::NoColumn { .. } => {
-                Some("`columns = [1, 2]` says which columns are x and y, counted from 1".to_owned())
+                "`columns = [1, 2]` says which columns are x and y, counted from 1"
             }
-            Self::NotANumber { .. } => Some(
+            Self::NotANumber { .. } => {
                 "numbers have a decimal point; one line of headings is allowed at the top"
-                    .to_owned(),
-            ),
-            Self::TooFew { .. } => None,
+            }
+            Self::TooFew { .. } => "add points to the file",
         }
     }
 }
@@ -87,7 +87,8 @@ pub(super) fn read(
     for (k, record) in reader.records().enumerate() {
         let record = record.map_err(|e| unreadable(&e))?;
         let line = record.position().map_or(0, csv::Position::line);
-        let number = |column: usize| -> Result<f64, CsvError> {
+        let number = |entry: usize| -> Result<f64, CsvError> {
+            let column = columns[entry];
             let text = column
                 .checked_sub(1)
                 .and_then(|c| record.get(c))
@@ -95,6 +96,8 @@ pub(super) fn read(
                     file: owned(),
                     line,
                     column,
+                    found: record.len(),
+                    entry,
                 })?;
             let number: Option<f64> = text.parse().ok();
             number
@@ -106,13 +109,15 @@ pub(super) fn read(
                     text: text.to_owned(),
                 })
         };
-        match (number(columns[0]), number(columns[1])) {
+        match (number(0), number(1)) {
             (Ok(argument), Ok(value)) => {
                 x.push(with_unit(argument, table.x_unit.as_deref()));
                 y.push(with_unit(value, table.y_unit.as_deref()));
             }
             // Headings: the first line, and neither of its columns is a number.
             (Err(CsvError::NotANumber { .. }), Err(CsvError::NotANumber { .. })) if k == 0 => {}
+            // A column that does not exist is the mistake, whatever the line holds.
+            (_, Err(error @ CsvError::NoColumn { .. })) => return Err(error),
             (Err(error), _) | (_, Err(error)) => return Err(error),
         }
     }

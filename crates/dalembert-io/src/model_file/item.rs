@@ -1,11 +1,12 @@
 //! One value of the file with its place, and how it is read as a number, text, list or table.
 
 use super::context::Context;
+use super::listed::listed;
 use super::names::{Reference, Section};
-use super::suggest::{listed, nearest};
 use super::table_reader::TableReader;
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::{Point, Value};
+use dalembert_expr::nearest;
 use std::rc::Rc;
 use toml::de::DeValue;
 
@@ -39,17 +40,23 @@ impl Place {
 
 impl<'a> Item<'a> {
     /// Reports a mistake of this value.
-    pub fn error(&self, code: &str, text: &str, help: Option<String>) {
-        let mut diagnostic =
-            Diagnostic::error(code, self.place.path.clone(), self.place.message(text));
-        diagnostic.help = help;
-        self.context.report(diagnostic);
+    pub fn error(&self, code: &str, text: &str, help: impl Into<String>) {
+        let message = self.place.message(text);
+        self.context
+            .report(Diagnostic::error(code, self.place.path.clone(), message).help(help));
     }
 
     /// Reports that the value has the wrong type.
     pub fn wrong_type(&self, expected: &str) {
         let text = format!("expected {expected}, found {}", type_name(self.value));
-        self.error("wrong-type", &text, None);
+        let help = match self.value {
+            DeValue::String(word) if matches!(word.trim(), "true" | "false") => {
+                "leave out the quotes".to_owned()
+            }
+            DeValue::Datetime(_) => "texts stand in quotes".to_owned(),
+            _ => format!("write {expected}"),
+        };
+        self.error("wrong-type", &text, help);
     }
 
     /// A number in SI units, or a text with a unit or an expression.
@@ -59,7 +66,7 @@ impl<'a> Item<'a> {
                 self.error(
                     "empty-text",
                     "expected a number or a text like \"30 deg\", found an empty text",
-                    None,
+                    "give the value, or remove the key",
                 );
                 None
             }
@@ -86,7 +93,7 @@ impl<'a> Item<'a> {
         self.error(
             "not-finite",
             "the number must be finite and not too large",
-            None,
+            "give a number of a usual size; a limit that does not exist is left out",
         );
         None
     }
@@ -95,7 +102,11 @@ impl<'a> Item<'a> {
     pub fn text(&self) -> Option<String> {
         match self.value {
             DeValue::String(text) if text.trim().is_empty() => {
-                self.error("empty-text", "the text must not be empty", None);
+                self.error(
+                    "empty-text",
+                    "the text must not be empty",
+                    "give the text, or remove the key",
+                );
                 None
             }
             DeValue::String(text) => Some(text.to_string()),
@@ -128,7 +139,7 @@ impl<'a> Item<'a> {
             Ok(count) if count > 0 => Some(count),
             _ => {
                 let text = format!("expected a whole number from 1 to {}", u32::MAX);
-                self.error("out-of-range", &text, None);
+                self.error("out-of-range", &text, "give a number from this range");
                 None
             }
         }
@@ -146,7 +157,7 @@ impl<'a> Item<'a> {
             self.error(
                 "unknown-word",
                 &format!("`{text}` is not known here"),
-                Some(did_you_mean(text, words())),
+                did_you_mean(text, words()),
             );
         }
         found.map(|(_, choice)| *choice)
@@ -171,7 +182,7 @@ impl<'a> Item<'a> {
             .map(|item| read(item).unwrap_or_default())
             .collect();
         if found != 2 {
-            self.wrong_length("2", found);
+            self.wrong_length("2", found, "write [first, second]");
         }
         pair.try_into().ok()
     }
@@ -182,7 +193,12 @@ impl<'a> Item<'a> {
         let expected = self.context.dimension.get();
         let entries = self.entries(&format!("a list of {expected} numbers"))?;
         if entries.len() != expected {
-            self.wrong_length(&expected.to_string(), entries.len());
+            let help = if expected == 2 {
+                "write [x, y]: the model is planar"
+            } else {
+                "write [x, y, z]"
+            };
+            self.wrong_length(&expected.to_string(), entries.len(), help);
         }
         self.values()
     }
@@ -205,9 +221,14 @@ impl<'a> Item<'a> {
     }
 
     /// Reports a list of the wrong length.
-    pub fn wrong_length(&self, expected: &str, found: usize) {
-        let text = format!("expected {expected} entries, found {found}");
-        self.error("wrong-length", &text, None);
+    pub fn wrong_length(&self, expected: &str, found: usize, help: &str) {
+        let entries = if expected.ends_with(" 1") {
+            "entry"
+        } else {
+            "entries"
+        };
+        let text = format!("expected {expected} {entries}, found {found}");
+        self.error("wrong-length", &text, help);
     }
 
     /// Name of a body; whether it exists is checked when all are known.
@@ -244,7 +265,7 @@ impl<'a> Item<'a> {
 pub(super) fn did_you_mean<'b>(word: &str, allowed: impl Iterator<Item = &'b str>) -> String {
     let allowed: Vec<&str> = allowed.collect();
     let list = listed(allowed.iter().copied());
-    match nearest(word, allowed) {
+    match nearest(word, allowed).first() {
         Some(near) => format!("did you mean `{near}`? allowed here: {list}"),
         None => format!("allowed here: {list}"),
     }

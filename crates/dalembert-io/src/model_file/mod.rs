@@ -5,13 +5,13 @@ mod csv_table;
 mod item;
 mod known_mistakes;
 mod line_column;
+mod listed;
 mod lower;
 mod names;
 mod parsed;
 mod report;
 mod schema;
 mod source_map;
-mod suggest;
 mod table_reader;
 mod templates;
 mod write;
@@ -86,12 +86,26 @@ fn syntax_errors(text: &str, errors: &[toml::de::Error]) -> Vec<Diagnostic> {
         }
         in_list = error.message().contains("array");
         let message = format!("not valid TOML: {}", error.message());
-        let mut diagnostic = Diagnostic::error("toml-syntax", "", message).span(span);
-        if error.message().contains("quoted") {
-            diagnostic = diagnostic
-                .help("texts, units and expressions stand in quotes, for example \"30 deg\"");
-        }
-        diagnostics.push(diagnostic);
+        let help = syntax_help(error.message());
+        diagnostics.push(
+            Diagnostic::error("toml-syntax", "", message)
+                .span(span)
+                .help(help),
+        );
     }
     diagnostics
+}
+
+/// What to do after a message of the reader of TOML.
+fn syntax_help(message: &str) -> &'static str {
+    let says = |word: &str| message.contains(word);
+    if says("duplicate key") {
+        "a key stands only once in a section: remove one of the lines, or begin a new section above"
+    } else if says("quoted") || says("string") {
+        "texts, units and expressions stand in quotes, for example \"30 deg\""
+    } else if says("array") {
+        "a list stands in brackets with commas, for example [0, \"30 mm\"]"
+    } else {
+        "a line is `key = value` or `[section]`; texts stand in quotes, numbers have a decimal point"
+    }
 }

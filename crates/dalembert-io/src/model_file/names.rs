@@ -2,9 +2,10 @@
 
 use super::context::Context;
 use super::item::Place;
-use super::suggest::{listed, nearest};
+use super::listed::listed;
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::GROUND;
+use dalembert_expr::nearest;
 use std::collections::{BTreeSet, HashMap};
 
 /// The sections whose elements have names.
@@ -144,7 +145,7 @@ fn check_references(context: &Context<'_>) {
         }
         let text = format!("there is no {word} \"{}\"", used.name);
         let near = if suggestions > 0 {
-            nearest(&used.name, known.iter().copied())
+            nearest(&used.name, known.iter().copied()).first().copied()
         } else {
             None
         };

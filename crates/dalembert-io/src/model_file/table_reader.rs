@@ -2,11 +2,12 @@
 
 use super::context::Context;
 use super::item::{Item, Place, did_you_mean};
+use super::listed::listed;
 use super::names::{NameOf, Section, is_bad_name};
 use super::source_map::child;
-use super::suggest::{listed, nearest};
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::{Point, Value};
+use dalembert_expr::nearest;
 use toml::de::{DeTable, DeValue};
 
 /// Reads a table key by key. [`TableReader::finish`] reports the keys that nobody asked for, and
@@ -147,7 +148,7 @@ impl<'a> TableReader<'a> {
                 "bad-name",
                 "a name must not be empty, start or end with a space, or contain a dot, a quote \
                  or a line break",
-                None,
+                "choose another name, such as `crank_2`",
             );
             return String::new();
         }
@@ -184,9 +185,9 @@ impl<'a> TableReader<'a> {
             item.error(
                 "unknown-kind",
                 &format!("there is no kind `{word}`"),
-                Some(did_you_mean(word, words())),
+                did_you_mean(word, words()),
             );
-            found = nearest(word, words()).and_then(of);
+            found = nearest(word, words()).first().copied().and_then(of);
         }
         found.map(|(_, kind)| *kind)
     }
@@ -223,7 +224,7 @@ impl<'a> TableReader<'a> {
                 .copied()
                 .filter(|k| !self.table.contains_key(*k));
             // A misspelt needed key is one mistake, not two.
-            if let Some(meant) = nearest(key, free) {
+            if let Some(&meant) = nearest(key, free).first() {
                 missing.retain(|k| *k != meant);
                 misspelt.push(meant);
             }
@@ -236,11 +237,10 @@ impl<'a> TableReader<'a> {
         }
         for key in missing {
             let message = self.place.message(&format!("the key `{key}` is missing"));
-            self.context.report(Diagnostic::error(
-                "missing-key",
-                self.place.path.clone(),
-                message,
-            ));
+            let help = format!("add `{key} = ...`");
+            self.context.report(
+                Diagnostic::error("missing-key", self.place.path.clone(), message).help(help),
+            );
         }
         misspelt
     }

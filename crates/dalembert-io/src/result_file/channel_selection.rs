@@ -1,19 +1,22 @@
 //! Channels by name or pattern.
 
 use dalembert::results::{Channel, Results};
+use dalembert_expr::{matches, nearest_to_pattern};
 use thiserror::Error;
 
-/// Most suggestions that an error gives.
-const MAX_SUGGESTIONS: usize = 5;
+/// Most channels that an error lists.
+const MOST_LISTED: usize = 8;
 
 /// A pattern that no channel matches.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("no channel matches {pattern:?}{}", hint(suggestions))]
+#[error("no channel matches {pattern:?}{}", hint(self))]
 pub struct UnknownChannel {
     /// The pattern as given.
     pub pattern: String,
     /// Names of channels that come close, the closest first.
     pub suggestions: Vec<String>,
+    /// Channels that there are, listed.
+    pub known: String,
 }
 
 /// The channels that match any of the patterns, in order of the patterns, each once.
@@ -24,6 +27,7 @@ pub fn select<'a>(
     results: &'a Results,
     patterns: &[String],
 ) -> Result<Vec<&'a Channel>, UnknownChannel> {
+    let names = || results.channels.iter().map(|c| c.name.as_str());
     let mut chosen: Vec<&Channel> = Vec::new();
     for pattern in patterns {
         let matching: Vec<&Channel> = match results.channel(pattern) {
@@ -31,13 +35,17 @@ pub fn select<'a>(
             None => results
                 .channels
                 .iter()
-                .filter(|c| distance(pattern, &c.name) == 0)
+                .filter(|c| matches(pattern, &c.name))
                 .collect(),
         };
         if matching.is_empty() {
             return Err(UnknownChannel {
                 pattern: pattern.clone(),
-                suggestions: suggestions(results, pattern),
+                suggestions: nearest_to_pattern(pattern, names())
+                    .into_iter()
+                    .map(str::to_owned)
+                    .collect(),
+                known: some_of(&names().collect::<Vec<&str>>()),
             });
         }
         for channel in matching {
@@ -49,59 +57,20 @@ pub fn select<'a>(
     Ok(chosen)
 }
 
-/// Names within a third of the pattern's length (two edits at least), closest first.
-fn suggestions(results: &Results, pattern: &str) -> Vec<String> {
-    let limit = (pattern.chars().filter(|c| *c != '*').count() / 3).max(2);
-    let lower = pattern.to_lowercase();
-    let mut close: Vec<(usize, &str)> = results
-        .channels
-        .iter()
-        .map(|c| (distance(&lower, &c.name.to_lowercase()), c.name.as_str()))
-        .filter(|(edits, _)| *edits <= limit)
-        .collect();
-    // The sort is stable: equally close names keep the order of the results.
-    close.sort_by_key(|(edits, _)| *edits);
-    close
-        .into_iter()
-        .take(MAX_SUGGESTIONS)
-        .map(|(_, name)| name.to_owned())
-        .collect()
-}
-
-/// Fewest edits (insert, delete, replace, swap two neighbours) that make a name match a pattern,
-/// in which `*` stands for any text and `?` for any character. Zero means that it matches.
-fn distance(pattern: &str, name: &str) -> usize {
-    let p: Vec<char> = pattern.chars().collect();
-    let n: Vec<char> = name.chars().collect();
-    // d[i][j]: edits between the first i characters of the pattern and the first j of the name.
-    let mut d = vec![vec![0; n.len() + 1]; p.len() + 1];
-    d[0] = (0..=n.len()).collect();
-    for i in 1..=p.len() {
-        let star = p[i - 1] == '*';
-        d[i][0] = d[i - 1][0] + usize::from(!star);
-        for j in 1..=n.len() {
-            d[i][j] = if star {
-                d[i - 1][j].min(d[i][j - 1])
-            } else {
-                let same = p[i - 1] == n[j - 1] || p[i - 1] == '?';
-                let replace = d[i - 1][j - 1] + usize::from(!same);
-                let edit = replace.min(d[i - 1][j] + 1).min(d[i][j - 1] + 1);
-                let swapped = i > 1 && j > 1 && p[i - 1] == n[j - 2] && p[i - 2] == n[j - 1];
-                if swapped {
-                    edit.min(d[i - 2][j - 2] + 1)
-                } else {
-                    edit
-                }
-            };
-        }
+fn hint(error: &UnknownChannel) -> String {
+    if !error.suggestions.is_empty() {
+        return format!("; did you mean {}?", error.suggestions.join(", "));
     }
-    d[p.len()][n.len()]
+    if error.known.is_empty() {
+        return "; there are no channels".to_owned();
+    }
+    format!("; the channels are: {}", error.known)
 }
 
-fn hint(suggestions: &[String]) -> String {
-    if suggestions.is_empty() {
-        String::new()
-    } else {
-        format!("; did you mean {}?", suggestions.join(", "))
+/// Names as a list, of which a long one tells only the first.
+pub fn some_of(names: &[&str]) -> String {
+    match names.len().saturating_sub(MOST_LISTED) {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names[..MOST_LISTED].join(", ")),
     }
 }

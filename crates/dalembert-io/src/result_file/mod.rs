@@ -21,7 +21,7 @@ mod sidecar;
 #[cfg(test)]
 mod tests;
 
-pub use channel_selection::{UnknownChannel, select};
+pub use channel_selection::{UnknownChannel, select, some_of};
 pub use defect::Defect;
 pub use error::{ReadError, WriteError};
 pub use format::Format;

@@ -1,10 +1,16 @@
 //! From a rough estimate to a consistent pose and consistent velocities.
 
-use super::AnalysisError;
 use super::newton::{NewtonOptions, correct_positions, correct_velocities};
 use super::weights::Weights;
+use super::{AnalysisError, ChangedRate};
+use crate::formulation::column_scale;
+use crate::joint::RowUnit;
 use crate::space::Space;
+use crate::system::Phase;
 use crate::system::{State, System, Workspace};
+
+/// Part of the fastest rate up to which a rate counts as met.
+const RATE: f64 = 1e-8;
 
 /// Assembly: moves the estimate as little as possible onto the constraints, drivers and initial
 /// conditions at the start. The branch nearest to the estimate is taken.
@@ -32,9 +38,9 @@ pub struct AssemblyReport {
     pub iterations: usize,
     /// Bodies that were moved by more than rounding, the farthest first.
     pub moved: Vec<Moved>,
-    /// Bodies whose given velocities were changed: velocity of the centre of mass [m/s], angular velocity [rad/s].
-    pub velocities_changed: Vec<Moved>,
-    /// Initial rates that could not all be met: what is left over, in words.
+    /// Stated rates that could not stay.
+    pub rates_changed: Vec<ChangedRate>,
+    /// Rates of constraints and drivers that could not all be met: what is left over, in words.
     pub velocity_conflict: Option<String>,
 }
 
@@ -53,37 +59,34 @@ impl Assembly {
         let mut ws = Workspace::new(&positions);
         let weights = Weights::new(&positions, &system.position_weight);
         let mut trial = Vec::new();
-        let newton = correct_positions(
+        let newton = match correct_positions(
             &positions,
             &mut ws,
             &mut state,
             &weights,
             &self.newton,
             &mut trial,
-        )?;
+        ) {
+            // A body of unknown angle turns first, but a turn reaches no farther than its arm: then
+            // everything moves alike.
+            Err(first @ AnalysisError::NotAssembled { .. }) if uneven(&system.position_weight) => {
+                state = system.estimate.clone();
+                correct_positions(
+                    &positions,
+                    &mut ws,
+                    &mut state,
+                    &Weights::even(&positions),
+                    &self.newton,
+                    &mut trial,
+                )
+                .map_err(|_| first)
+            }
+            other => other,
+        }?;
         report.iterations = newton.iterations;
         report.moved = moved(system, &system.estimate.q, &state.q, 1e-9);
 
-        let velocities = system.start_velocities();
-        let mut ws = Workspace::new(&velocities);
-        let weights = Weights::new(&velocities, &system.velocity_weight);
-        // Twice: the second pass removes the rounding that a poor metric leaves.
-        correct_velocities(&velocities, &mut ws, &mut state, &weights);
-        correct_velocities(&velocities, &mut ws, &mut state, &weights);
-        system_velocity_residual(&velocities, &mut ws, &state, &mut report);
-        let mut changed = moved(system, &system.estimate.v, &state.v, 1e-9);
-        // Velocities that the user did not give are found, not changed.
-        changed.retain(|m| {
-            system
-                .bodies
-                .iter()
-                .position(|b| b.name == m.body)
-                .is_some_and(|b| {
-                    let w = &system.velocity_weight[b * S::NV..(b + 1) * S::NV];
-                    (w[0] == 1.0 && m.distance > 0.0) || (w[S::NV - 1] == 1.0 && m.turn > 0.0)
-                })
-        });
-        report.velocities_changed = changed;
+        self.velocities(system, &mut state, &mut report);
         if let Some(k) = state.q.iter().chain(&state.v).position(|x| !x.is_finite()) {
             let n = state.q.len();
             let names = system.coordinate_names();
@@ -94,14 +97,111 @@ impl Assembly {
         }
         Ok((state, report))
     }
+
+    /// The velocities nearest to the stated ones that meet the rows of the start; where these
+    /// contradict each other, the rows that always hold go first.
+    fn velocities<S: Space>(
+        &self,
+        system: &System<S>,
+        state: &mut State,
+        report: &mut AssemblyReport,
+    ) {
+        let all = system.start_velocities();
+        let mut ws = Workspace::new(&all);
+        let weights = Weights::new(&all, &system.velocity_weight);
+        // Twice: the second pass removes the rounding that a poor metric leaves.
+        correct_velocities(&all, &mut ws, state, &weights);
+        correct_velocities(&all, &mut ws, state, &weights);
+        let mut left = rates_left(&all, &mut ws, state);
+        // Stated rates that nothing can follow are fast as well.
+        let stated = all.largest(&ws.time).0;
+        let speed = fastest(&all, &state.v).max(fastest(&all, &system.estimate.v));
+        let zero = RATE * speed.max(stated);
+        if all.largest(&left).0 > zero {
+            let running = system.running();
+            let mut ws = Workspace::new(&running);
+            let weights = Weights::new(&running, &system.velocity_weight);
+            correct_velocities(&running, &mut ws, state, &weights);
+            correct_velocities(&running, &mut ws, state, &weights);
+        }
+        left = rates_left(&all, &mut ws, state);
+        for (row, r) in left.iter().enumerate() {
+            let e = &all.elements[all.row_refs()[row].element];
+            if r.abs() / all.row_scale(row) <= zero {
+                continue;
+            }
+            if e.phase == Phase::StartVelocity {
+                // The row reads measure' - stated = 0, so that C_t = -stated.
+                let stated = -ws.time[row];
+                report.rates_changed.push(ChangedRate {
+                    what: format!("the {}", e.name),
+                    stated: vec![stated],
+                    found: vec![stated + r],
+                    unit: match all.row_refs()[row].label.unit {
+                        RowUnit::Length => "m/s",
+                        RowUnit::Angle => "rad/s",
+                        RowUnit::Other => "",
+                    },
+                });
+            } else if report.velocity_conflict.is_none() {
+                report.velocity_conflict = Some(format!(
+                    "the constraints and drivers contradict each other in their rates: {} is off by {:.3e} per second",
+                    all.row_name(row),
+                    r.abs()
+                ));
+            }
+        }
+        changed_velocities(system, &state.v, zero, report);
+    }
 }
 
-fn system_velocity_residual<S: Space>(
+/// Are some coordinates better known than others?
+fn uneven(knowledge: &[f64]) -> bool {
+    knowledge.iter().any(|w| *w != knowledge[0])
+}
+
+/// Velocities of bodies that were stated and could not stay; those that were not are found, not changed.
+fn changed_velocities<S: Space>(
     system: &System<S>,
-    ws: &mut Workspace<S>,
-    state: &State,
+    found: &[f64],
+    zero: f64,
     report: &mut AssemblyReport,
 ) {
+    let n = S::NV;
+    let linear = if n == 3 { 2 } else { 3 };
+    for (b, body) in system.bodies.iter().enumerate() {
+        let own = |x: &[f64], part: std::ops::Range<usize>| {
+            x[b * n + part.start..b * n + part.end].to_vec()
+        };
+        let parts = [
+            (
+                0..linear,
+                "velocity",
+                " (centre of mass)",
+                "m/s",
+                system.size,
+            ),
+            (linear..n, "angular velocity", "", "rad/s", 1.0),
+        ];
+        for (part, quantity, point, unit, scale) in parts {
+            let given = own(&system.velocity_weight, part.clone());
+            let (stated, found) = (own(&system.estimate.v, part.clone()), own(found, part));
+            let difference = stated.iter().zip(&found);
+            let difference = difference.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+            if given[0] == 1.0 && difference > zero * scale {
+                report.rates_changed.push(ChangedRate {
+                    what: format!("the {quantity} of {}{point}", body.name),
+                    stated,
+                    found,
+                    unit,
+                });
+            }
+        }
+    }
+}
+
+/// What is left of the rates of the rows: C_q v + C_t. The workspace then holds the rows.
+fn rates_left<S: Space>(system: &System<S>, ws: &mut Workspace<S>, state: &State) -> Vec<f64> {
     system.update_markers(&state.q, &state.v, ws);
     system.evaluate_constraints(state.t, ws);
     let mut rate = vec![0.0; system.rows];
@@ -109,15 +209,14 @@ fn system_velocity_residual<S: Space>(
     for (r, t) in rate.iter_mut().zip(&ws.time) {
         *r += t;
     }
-    let (worst, row) = system.largest(&rate);
-    let speed = state.v.iter().fold(1.0_f64, |a, b| a.max(b.abs()));
-    if worst > 1e-8 * speed {
-        report.velocity_conflict = Some(format!(
-            "the rates cannot all be met: {} is off by {:.3e} per second",
-            system.row_name(row),
-            rate[row].abs()
-        ));
-    }
+    rate
+}
+
+/// The fastest rate of a state, lengths relative to the machine's size [1/s].
+fn fastest<S: Space>(system: &System<S>, v: &[f64]) -> f64 {
+    let scale = column_scale(system);
+    let rates = v.iter().zip(&scale);
+    rates.fold(0.0, |m, (v, s)| m.max((v / s).abs()))
 }
 
 fn moved<S: Space>(system: &System<S>, from: &[f64], to: &[f64], tolerance: f64) -> Vec<Moved> {

@@ -1,6 +1,7 @@
 //! Why an analysis could not be done.
 
 use crate::solve::RankError;
+use crate::words::{counted, readable};
 use thiserror::Error;
 
 /// Why an analysis could not be done: what, where, when, and what to do.
@@ -8,7 +9,10 @@ use thiserror::Error;
 pub enum AnalysisError {
     /// The constraints cannot be met at the same time near the estimate.
     #[error(
-        "the machine cannot be assembled at t = {time} s: after {iterations} iterations {worst} is still off by {residual:.3e}{conflict}"
+        "the machine cannot be assembled at t = {} s: after {} {worst} is still off by {}{conflict}",
+        readable(*time),
+        counted(*iterations, "iteration"),
+        readable(*residual)
     )]
     NotAssembled {
         /// Time [s].
@@ -24,7 +28,8 @@ pub enum AnalysisError {
     },
     /// The machine can still move although its motion should be given by drivers.
     #[error(
-        "the machine is not driven in every freedom: {freedoms} remain free ({names}); add drivers or use simulate"
+        "the machine is not driven in every freedom: {} free ({names}); add drivers or use simulate",
+        if *freedoms == 1 { "1 remains".to_owned() } else { format!("{freedoms} remain") }
     )]
     NotDriven {
         /// Number of free motions.
@@ -46,6 +51,17 @@ pub enum AnalysisError {
         /// What depends on what, and what to do.
         detail: String,
     },
+    /// Drivers and constraints that agree up to a time ask for different motions afterwards.
+    #[error(
+        "{elements} contradict each other after t = {} s: they ask for different motions; leave one of the drivers out, or change one; results are kept until then",
+        readable(*time)
+    )]
+    Contradiction {
+        /// Last good time [s].
+        time: f64,
+        /// The elements, in words.
+        elements: String,
+    },
     /// Masses are missing where the motion depends on them.
     #[error(
         "masses are missing: {names}; give mass and inertia of these bodies, or hold them by joints"
@@ -56,7 +72,8 @@ pub enum AnalysisError {
     },
     /// A force element or constraint gave a number that is not finite.
     #[error(
-        "{element} gives a value that is not finite at t = {time} s; check its expression and the pose"
+        "{element} gives a value that is not finite at t = {} s; check its expression and the pose",
+        readable(*time)
     )]
     NotFinite {
         /// The element in words.
@@ -65,7 +82,10 @@ pub enum AnalysisError {
         time: f64,
     },
     /// The step size became too small.
-    #[error("the integration stopped at t = {time} s: the step shrank to {step:.3e} s; {detail}")]
+    #[error(
+        "the integration stopped at t = {} s: the step shrank to {step:.3e} s; {detail}",
+        readable(*time)
+    )]
     StepTooSmall {
         /// Time [s].
         time: f64,
@@ -73,6 +93,28 @@ pub enum AnalysisError {
         step: f64,
         /// What was seen and what to try.
         detail: String,
+    },
+    /// The simulation used up its steps, or would do so long before its end.
+    #[error("the simulation stopped at t = {time:.6} s after {steps} step{}: {detail}", if *steps == 1 { "" } else { "s" })]
+    OutOfSteps {
+        /// Time [s].
+        time: f64,
+        /// Steps made.
+        steps: usize,
+        /// What held it up and what to do.
+        detail: String,
+    },
+    /// Two points met between which an element has its direction.
+    #[error(
+        "at t = {time:.6} s the two points of {element} meet: their distance has no direction there; {remedy}"
+    )]
+    NoDirection {
+        /// The element in words.
+        element: String,
+        /// Time [s].
+        time: f64,
+        /// What to do.
+        remedy: &'static str,
     },
     /// No static equilibrium was found.
     #[error(
@@ -98,7 +140,10 @@ pub enum AnalysisError {
     },
     /// The actuators named for `inverse` cannot produce the motion.
     #[error(
-        "{given} actuators are named, but the driven motion has {needed} drivers; name exactly {needed} joints"
+        "{} named, but the driven motion has {}; name exactly {}",
+        if *given == 1 { "1 actuator is".to_owned() } else { format!("{given} actuators are") },
+        counted(*needed, "driver"),
+        counted(*needed, "joint")
     )]
     ActuatorCount {
         /// Given.

@@ -98,15 +98,17 @@ fn bad_joint(system: &System<Planar>, name: &str, what: &str) -> AnalysisError {
         .filter(|e| e.role == Role::Joint && e.coordinates.len() == 1)
         .map(|e| e.name.as_str())
         .collect();
-    let hint = crate::text::nearest(name, usable.iter().copied()).map_or_else(
-        || {
-            format!(
-                "{what}; joints that can have an actuator: {}",
-                usable.join(", ")
-            )
-        },
-        |n| format!("{what}; did you mean '{n}'?"),
-    );
+    let hint = dalembert_expr::nearest(name, usable.iter().copied())
+        .first()
+        .map_or_else(
+            || {
+                format!(
+                    "{what}; joints that can have an actuator: {}",
+                    usable.join(", ")
+                )
+            },
+            |n| format!("{what}; did you mean '{n}'?"),
+        );
     AnalysisError::BadName {
         what: "joint",
         name: name.to_owned(),

@@ -2,21 +2,30 @@
 //! statics, equations. Each analysis is a small struct of options with a `run`.
 
 mod assembly;
+mod changed_rate;
+mod contradiction;
 mod dynamics;
 pub mod equations;
 mod error;
 mod inverse;
 mod kinematics;
+mod least_reactions;
 mod massless;
+mod meeting;
+mod missing_mass;
 mod mobility;
+mod motion;
 mod newton;
+mod open_reactions;
+mod pace;
 mod recorder;
 mod statics;
-mod uniqueness;
+mod stiffest;
 mod weights;
 
 pub use assembly::{Assembly, AssemblyReport, Moved};
-pub use dynamics::{Dynamics, DynamicsReport, Motion};
+pub use changed_rate::ChangedRate;
+pub use dynamics::{Dynamics, DynamicsReport};
 pub use equations::{EquationBasis, Equations, EquationsReport, ReferenceFrame};
 pub use error::AnalysisError;
 pub use inverse::Inverse;
@@ -26,6 +35,7 @@ pub use mobility::{
     MobilityReport, Rank, SingularKind, SingularPose, SweepOptions, conflicts,
     driver_singularities,
 };
+pub use motion::Motion;
 pub use newton::{NewtonOptions, NewtonReport};
 pub use recorder::{Extra, Recorder};
 pub use statics::{

@@ -1,7 +1,7 @@
 //! Bushings.
 
 use super::{ForceChannel, ForceElement, ForceReport};
-use crate::joint::MeasureKind;
+use crate::joint::PlanarMeasure;
 use crate::space::{Planar, PlanarMarker};
 use nalgebra::{Matrix3, Vector3};
 
@@ -15,8 +15,11 @@ pub struct Bushing {
     pub damping: Matrix3<f64>,
 }
 
-const COORDINATES: [MeasureKind; 3] =
-    [MeasureKind::AlongX, MeasureKind::AlongY, MeasureKind::Angle];
+const COORDINATES: [PlanarMeasure; 3] = [
+    PlanarMeasure::AlongX,
+    PlanarMeasure::AlongY,
+    PlanarMeasure::Angle,
+];
 
 impl Bushing {
     fn state(markers: &[PlanarMarker]) -> (Vector3<f64>, Vector3<f64>) {

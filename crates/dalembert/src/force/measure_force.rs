@@ -1,32 +1,31 @@
 //! Force elements along a scalar measure: springs, dampers, actuators.
 
 use super::{ForceChannel, ForceElement, ForceReport};
-use crate::joint::Measure;
+use crate::joint::{Measure, MeasureKind};
 use crate::signal::Coefficient;
-use crate::space::{Planar, PlanarMarker};
-use nalgebra::Vector3;
+use crate::space::{Planar, Space, Tuple};
 
 /// Spring-damper-actuator along a measure x (a distance, an angle, a displacement):
 /// f = k (x - x0) + c x' + f_a, positive where it reduces x (tension); Q = -f dx/dq
 /// (Shabana 5.61 to 5.73). An actuator alone is f_a = -(its value).
 #[derive(Clone, Debug)]
-pub struct MeasureForce {
+pub struct MeasureForce<S: Space = Planar> {
     /// The measure.
-    pub measure: Measure,
+    pub measure: Measure<S>,
     /// k.
-    pub stiffness: Coefficient,
+    pub stiffness: Coefficient<S>,
     /// c.
-    pub damping: Coefficient,
+    pub damping: Coefficient<S>,
     /// x0.
-    pub free: Coefficient,
+    pub free: Coefficient<S>,
     /// f_a.
-    pub actuator: Coefficient,
+    pub actuator: Coefficient<S>,
     /// Does it report its force as an actuator does (positive where it increases x)?
     pub pushes: bool,
 }
 
-impl MeasureForce {
-    fn force(&self, t: f64, markers: &[PlanarMarker], x: f64, rate: f64) -> f64 {
+impl<S: Space> MeasureForce<S> {
+    fn force(&self, t: f64, markers: &[S::Marker], x: f64, rate: f64) -> f64 {
         self.stiffness.value(t, markers) * (x - self.free.value(t, markers))
             + self.damping.value(t, markers) * rate
             + self.actuator.value(t, markers)
@@ -38,26 +37,25 @@ impl MeasureForce {
     }
 }
 
-impl ForceElement<Planar> for MeasureForce {
-    fn wrenches(&self, t: f64, markers: &[PlanarMarker], out: &mut [Vector3<f64>]) {
-        let Measure {
-            kind,
-            first,
-            second,
-        } = self.measure;
-        let m = kind.evaluate(&markers[first], &markers[second]);
+impl<S: Space> ForceElement<S> for MeasureForce<S> {
+    fn wrenches(&self, t: f64, markers: &[S::Marker], out: &mut [S::Twist]) {
+        let m = self.measure.evaluate(markers);
         let f = self.force(t, markers, m.value, m.rate);
-        out[first] -= f * m.first;
-        out[second] -= f * m.second;
+        out[self.measure.first].add_scaled(-f, &m.first);
+        out[self.measure.second].add_scaled(-f, &m.second);
     }
 
-    fn report(&self, t: f64, markers: &[PlanarMarker]) -> ForceReport {
-        let Measure {
-            kind,
-            first,
-            second,
-        } = self.measure;
-        let m = kind.evaluate(&markers[first], &markers[second]);
+    fn distances(&self) -> Vec<Measure<S>> {
+        let distance = self.measure.kind == S::Measure::DISTANCE;
+        distance.then_some(self.measure).into_iter().collect()
+    }
+
+    fn pulls_at_zero(&self, t: f64, markers: &[S::Marker]) -> bool {
+        self.force(t, markers, 0.0, 0.0) != 0.0
+    }
+
+    fn report(&self, t: f64, markers: &[S::Marker]) -> ForceReport {
+        let m = self.measure.evaluate(markers);
         let f = self.force(t, markers, m.value, m.rate);
         let (potential, potential_rate) = match self.spring() {
             Some((k, x0)) => {
@@ -76,7 +74,7 @@ impl ForceElement<Planar> for MeasureForce {
 
     fn channels(&self) -> Vec<ForceChannel> {
         let angle = self.measure.kind.is_angle();
-        let length = self.measure.kind == crate::joint::MeasureKind::Distance;
+        let length = self.measure.kind == S::Measure::DISTANCE;
         let (name, unit, rate_unit, force_unit) = match (angle, length) {
             (true, _) => ("angle", "rad", "rad/s", "N m"),
             (false, true) => ("length", "m", "m/s", "N"),

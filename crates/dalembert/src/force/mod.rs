@@ -10,6 +10,7 @@ pub use measure_force::MeasureForce;
 pub use point_force::PointForce;
 pub use point_gravity::PointGravity;
 
+use crate::joint::Measure;
 use crate::space::Space;
 use std::fmt::Debug;
 
@@ -43,6 +44,15 @@ pub trait ForceElement<S: Space>: Debug + Send + Sync {
     /// How many of its markers it acts on; the markers after these are only read.
     fn terminals(&self) -> usize {
         2
+    }
+    /// Distances that it acts along.
+    fn distances(&self) -> Vec<Measure<S>> {
+        Vec::new()
+    }
+    /// Does it exert a force along its distance where that is zero, so that the force has no
+    /// direction?
+    fn pulls_at_zero(&self, _t: f64, _markers: &[S::Marker]) -> bool {
+        false
     }
     /// Energy and reported values.
     fn report(&self, t: f64, markers: &[S::Marker]) -> ForceReport;

@@ -14,11 +14,11 @@ pub fn augmented<S: Space>(
     system: &System<S>,
     ws: &mut Workspace<S>,
 ) -> Result<Accelerations, FormulationError> {
+    ws.rhs.copy_from_slice(&ws.qd);
     let residual = if system.massless {
         general(system, ws)?
     } else {
-        ws.factor(&system.mass_inverse);
-        ws.rhs.copy_from_slice(&ws.qd);
+        system.metric.clone().factor(system, ws);
         ws.solve_forces(&system.mass).relative
     };
     if !ws.a.iter().chain(&ws.lambda).all(|x| x.is_finite()) {
@@ -31,13 +31,17 @@ pub fn augmented<S: Space>(
     })
 }
 
-/// Bodies without mass or inertia: their blocks of M have no inverse.
-fn general<S: Space>(system: &System<S>, ws: &mut Workspace<S>) -> Result<f64, FormulationError> {
+/// Solves M a + C_q^T lambda = Q, C_q a = rhs of the workspace as one dense matrix, so that motions without mass are
+/// named.
+pub(crate) fn general<S: Space>(
+    system: &System<S>,
+    ws: &mut Workspace<S>,
+) -> Result<f64, FormulationError> {
     let bodies = system.body_nv();
     let zero = vec![0.0; system.aux];
     let rhs = Rhs {
         f: &ws.force[..bodies],
-        g: &ws.qd,
+        g: &ws.rhs,
         h: &zero,
     };
     match solve_general(system.shape(), &system.mass, &ws.jac, &ws.jac_aux, rhs) {

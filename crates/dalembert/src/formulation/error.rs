@@ -10,7 +10,7 @@ pub enum FormulationError {
     #[error(transparent)]
     Rank(#[from] RankError),
     /// Some motions have neither mass nor constraint.
-    #[error("{} coordinates have neither mass nor constraint", coordinates.len())]
+    #[error("motions of {} have neither mass nor constraint", crate::words::counted(coordinates.len(), "coordinate"))]
     Massless {
         /// The coordinates that take part in these motions, ascending.
         coordinates: Vec<usize>,

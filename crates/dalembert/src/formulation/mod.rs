@@ -19,6 +19,7 @@ mod terms;
 pub use accelerations::Accelerations;
 pub use amalgamated::amalgamated;
 pub use augmented::augmented;
+pub(crate) use augmented::general;
 pub use augmented_dense::augmented_dense;
 pub use elimination::elimination;
 pub use embedding::{Embedding, embedding};

@@ -1,6 +1,6 @@
 //! The method of Dormand and Prince of order 5(4) with dense output.
 
-use super::Ode;
+use super::{Ode, Stiffness};
 use thiserror::Error;
 
 // Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, table II.5.2.
@@ -96,6 +96,8 @@ pub struct Dopri5 {
     pub tolerance: f64,
     /// Right sides evaluated.
     pub evaluations: usize,
+    /// Is the step held down by stability?
+    pub stiffness: Stiffness,
     k: [Vec<f64>; 7],
     stage: Vec<f64>,
     scales: Vec<f64>,
@@ -126,6 +128,7 @@ impl Dopri5 {
             max_step,
             tolerance,
             evaluations: 1,
+            stiffness: Stiffness::default(),
             k: std::array::from_fn(|_| zero()),
             stage: zero(),
             scales: zero(),
@@ -259,6 +262,7 @@ impl Dopri5 {
             d3[i] = difference - h * self.k[6][i] - bend;
             d4[i] = h * (0..7).map(|s| D[s] * self.k[s][i]).sum::<f64>();
         }
+        let rate = self.largest_rate(h);
         if ode.project(t, &mut self.stage)? {
             let (first, _) = self.k.split_at_mut(1);
             ode.rhs(t, &self.stage, &mut first[0])?;
@@ -267,6 +271,7 @@ impl Dopri5 {
             self.k.swap(0, 6);
         }
         self.y.copy_from_slice(&self.stage);
+        self.stiffness.step(self.t, h, rate);
         (self.t_old, self.h_old, self.t) = (self.t, h, t);
         // PI control (Hairer, Wanner II, IV.2) with the exponents of dopri5.
         let error = error.max(1e-10);
@@ -274,6 +279,28 @@ impl Dopri5 {
         self.error_old = error.max(1e-4);
         self.h = h * factor.clamp(0.2, 10.0);
         Ok(())
+    }
+
+    /// Estimate of the largest rate of the equation from the last two stages, which belong to the
+    /// same time: |f(y1) - f(y6)| / |y1 - y6| in units of the scales.
+    fn largest_rate(&self, h: f64) -> f64 {
+        let (mut slopes, mut states) = (0.0, 0.0);
+        for (i, scale) in self.scales.iter().enumerate() {
+            let slope = (self.k[6][i] - self.k[5][i]) / scale;
+            let weights = A[6].iter().zip(&A[5]);
+            let state: f64 = weights
+                .zip(&self.k)
+                .map(|((last, before), k)| (last - before) * k[i])
+                .sum();
+            let state = h * state / scale;
+            slopes += slope * slope;
+            states += state * state;
+        }
+        if states > 0.0 {
+            f64::sqrt(slopes / states)
+        } else {
+            0.0
+        }
     }
 
     /// The state at a time inside the last step (order 4), without projection.

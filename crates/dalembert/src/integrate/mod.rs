@@ -1,8 +1,10 @@
 //! Time integration. Integrators see an ordinary differential equation with invariants; never a body.
 
 mod dopri5;
+mod stiffness;
 
 pub use dopri5::{Dopri5, StepError, StepReport};
+pub use stiffness::Stiffness;
 
 /// An ordinary differential equation y' = f(t, y) whose solutions stay on a manifold.
 pub trait Ode {

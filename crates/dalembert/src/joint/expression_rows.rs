@@ -1,23 +1,25 @@
 //! User constraints: an expression of time and of positions stays zero.
 
-use super::{ConstraintElement, ConstraintInput, ConstraintOutput, RowLabel, RowUnit};
+use super::{
+    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, MeasureKind, RowLabel, RowUnit,
+};
 use crate::signal::{MAX_INPUTS, Signal, SignalKind};
-use crate::space::Planar;
+use crate::space::{Planar, Space, Tuple};
 use dalembert_expr::{Jet2, Program};
 
 /// C = g(t, measures): gradient by the chain rule, bias by second-order Taylor arithmetic along the
 /// motion (each measure enters with its own rate and bias).
 #[derive(Clone, Debug)]
-pub struct ExpressionRows {
+pub struct ExpressionRows<S: Space = Planar> {
     /// The expression.
     pub program: Program,
     /// What its inputs are, on the element's own markers; only time and values.
-    pub inputs: Vec<Signal>,
+    pub inputs: Vec<Signal<S>>,
     /// Number of markers of the element.
     pub markers: usize,
 }
 
-impl ConstraintElement<Planar> for ExpressionRows {
+impl<S: Space> ConstraintElement<S> for ExpressionRows<S> {
     fn labels(&self) -> Vec<RowLabel> {
         vec![RowLabel {
             text: self.program.text().to_owned(),
@@ -25,11 +27,15 @@ impl ConstraintElement<Planar> for ExpressionRows {
         }]
     }
 
-    fn evaluate(
-        &self,
-        input: &ConstraintInput<'_, Planar>,
-        out: &mut ConstraintOutput<'_, Planar>,
-    ) {
+    fn distances(&self) -> Vec<Measure<S>> {
+        let values = self.inputs.iter().filter(|s| s.kind == SignalKind::Value);
+        let measures = values.map(|s| s.measure);
+        measures
+            .filter(|m| m.kind == S::Measure::DISTANCE)
+            .collect()
+    }
+
+    fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {
         let mut values = [0.0; MAX_INPUTS];
         let mut jets = [Jet2 {
             v: 0.0,
@@ -46,9 +52,7 @@ impl ConstraintElement<Planar> for ExpressionRows {
                     dd: 0.0,
                 },
                 SignalKind::Value | SignalKind::Rate => {
-                    let m = signal.measure;
-                    let (a, b) = (&input.markers[m.first], &input.markers[m.second]);
-                    let x = m.kind.evaluate(a, b);
+                    let x = signal.measure.evaluate(input.markers);
                     // With the accelerations of the markers zero, gradients still meet the
                     // markers' own normal accelerations; the assembly adds those.
                     Jet2 {
@@ -68,11 +72,9 @@ impl ConstraintElement<Planar> for ExpressionRows {
                 continue;
             }
             let m = signal.measure;
-            let x = m
-                .kind
-                .evaluate(&input.markers[m.first], &input.markers[m.second]);
-            out.gradient[m.first] += *slope * x.first;
-            out.gradient[m.second] += *slope * x.second;
+            let x = m.evaluate(input.markers);
+            out.gradient[m.first].add_scaled(*slope, &x.first);
+            out.gradient[m.second].add_scaled(*slope, &x.second);
         }
     }
 }

@@ -1,32 +1,29 @@
-//! Scalar measures between two markers of the plane, and what every measure answers.
+//! Scalar measures between two markers: what joints, drivers and force elements are made of.
 
-use crate::space::PlanarMarker;
-use nalgebra::{Vector2, Vector3};
+use crate::space::{Planar, Space};
+use nalgebra::Vector3;
+use std::fmt::Debug;
+use std::hash::Hash;
 
-/// Which scalar is measured from the first marker (a) to the second (b).
-///
-/// d = r_b - r_a; e_x, e_y are the axes of the first marker.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum MeasureKind {
-    /// d . X of the ground [m].
-    GroundX,
-    /// d . Y of the ground [m].
-    GroundY,
-    /// Angle of b minus angle of a, counting turns [rad].
-    Angle,
-    /// d . e_x of the first marker [m].
-    AlongX,
-    /// d . e_y of the first marker [m].
-    AlongY,
-    /// |d| [m]; its gradient needs |d| > 0.
-    Distance,
+/// The scalars that a space measures from one marker to another.
+pub trait MeasureKind<S: Space>: Copy + Debug + Eq + Hash + Send + Sync + 'static {
+    /// The distance of the two points [m].
+    const DISTANCE: Self;
+    /// Is the value an angle?
+    fn is_angle(self) -> bool;
+    /// Is the value a length?
+    fn is_length(self) -> bool;
+    /// Value alone.
+    fn value(self, a: &S::Marker, b: &S::Marker) -> f64;
+    /// Value, rate, gradients and bias.
+    fn evaluate(self, a: &S::Marker, b: &S::Marker) -> Measured<S::Twist>;
 }
 
 /// A measure between two of the markers of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Measure {
+pub struct Measure<S: Space = Planar> {
     /// Which.
-    pub kind: MeasureKind,
+    pub kind: S::Measure,
     /// Number of the first marker.
     pub first: usize,
     /// Number of the second marker.
@@ -48,73 +45,15 @@ pub struct Measured<T = Vector3<f64>> {
     pub second: T,
 }
 
-impl MeasureKind {
-    /// Is the value an angle?
-    pub fn is_angle(self) -> bool {
-        self == Self::Angle
+impl<S: Space> Measure<S> {
+    /// Value between markers of the element that owns the measure.
+    pub fn value(&self, markers: &[S::Marker]) -> f64 {
+        self.kind.value(&markers[self.first], &markers[self.second])
     }
 
-    /// Value alone.
-    pub fn value(self, a: &PlanarMarker, b: &PlanarMarker) -> f64 {
-        let d = b.point - a.point;
-        match self {
-            Self::GroundX => d.x,
-            Self::GroundY => d.y,
-            Self::Angle => b.angle - a.angle,
-            Self::AlongX => a.ex.dot(&d),
-            Self::AlongY => a.ey().dot(&d),
-            Self::Distance => d.norm(),
-        }
-    }
-
-    /// Value, rate, gradients and bias.
-    ///
-    /// AlongX: xi = e_x.d, xi' = e_x.d' + w_a eta, bias = 2 w_a e_y.d' - w_a^2 xi.
-    /// AlongY: eta = e_y.d, eta' = e_y.d' - w_a xi, bias = -2 w_a e_x.d' - w_a^2 eta.
-    /// Distance: l = |d|, l' = n.d', bias = (d'.d' - l'^2) / l (Shabana 5.64 to 5.66).
-    pub fn evaluate(self, a: &PlanarMarker, b: &PlanarMarker) -> Measured {
-        let d = b.point - a.point;
-        let dv = b.velocity - a.velocity;
-        let plain = |n: Vector2<f64>, value: f64, bias: f64, turn: f64| Measured {
-            value,
-            rate: n.dot(&dv) + turn * a.omega,
-            bias,
-            first: Vector3::new(-n.x, -n.y, turn),
-            second: Vector3::new(n.x, n.y, 0.0),
-        };
-        match self {
-            Self::GroundX => plain(Vector2::x(), d.x, 0.0, 0.0),
-            Self::GroundY => plain(Vector2::y(), d.y, 0.0, 0.0),
-            Self::Angle => Measured {
-                value: b.angle - a.angle,
-                rate: b.omega - a.omega,
-                bias: 0.0,
-                first: Vector3::new(0.0, 0.0, -1.0),
-                second: Vector3::new(0.0, 0.0, 1.0),
-            },
-            Self::AlongX => {
-                let (ex, ey) = (a.ex, a.ey());
-                let (xi, eta) = (ex.dot(&d), ey.dot(&d));
-                let bias = 2.0 * a.omega * ey.dot(&dv) - a.omega * a.omega * xi;
-                plain(ex, xi, bias, eta)
-            }
-            Self::AlongY => {
-                let (ex, ey) = (a.ex, a.ey());
-                let (xi, eta) = (ex.dot(&d), ey.dot(&d));
-                let bias = -2.0 * a.omega * ex.dot(&dv) - a.omega * a.omega * eta;
-                plain(ey, eta, bias, -xi)
-            }
-            Self::Distance => {
-                let l = d.norm();
-                // The direction of coincident points is undefined: no gradient, and the compiler
-                // of models refuses zero lengths, so the state is off every valid pose.
-                if l == 0.0 {
-                    return Measured::default();
-                }
-                let n = d / l;
-                let rate = n.dot(&dv);
-                plain(n, l, (dv.norm_squared() - rate * rate) / l, 0.0)
-            }
-        }
+    /// Value and derivatives between markers of the element that owns the measure.
+    pub fn evaluate(&self, markers: &[S::Marker]) -> Measured<S::Twist> {
+        self.kind
+            .evaluate(&markers[self.first], &markers[self.second])
     }
 }

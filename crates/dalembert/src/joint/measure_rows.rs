@@ -1,25 +1,26 @@
 //! Rows that are weighted sums of measures: most joints, drivers, couplers, gears, racks.
 
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, RowLabel, RowUnit, TimeFunction,
+    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, MeasureKind, RowLabel, RowUnit,
+    TimeFunction,
 };
-use crate::space::{Planar, PlanarMarker};
+use crate::space::{Planar, Space, Tuple};
 use smallvec::SmallVec;
 
 /// One term of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeasureTerm {
+pub struct MeasureTerm<S: Space = Planar> {
     /// Factor.
     pub factor: f64,
     /// Measure between two markers of the element.
-    pub measure: Measure,
+    pub measure: Measure<S>,
 }
 
 /// One row: C = sum of factor * measure - f(t).
 #[derive(Clone, Debug)]
-pub struct MeasureRow {
+pub struct MeasureRow<S: Space = Planar> {
     /// The terms.
-    pub terms: SmallVec<[MeasureTerm; 2]>,
+    pub terms: SmallVec<[MeasureTerm<S>; 1]>,
     /// f(t).
     pub target: TimeFunction,
     /// What the row holds.
@@ -28,17 +29,17 @@ pub struct MeasureRow {
 
 /// A constraint element whose rows are weighted sums of measures.
 #[derive(Clone, Debug)]
-pub struct MeasureRows {
+pub struct MeasureRows<S: Space = Planar> {
     /// Number of markers of the element.
     pub markers: usize,
     /// The rows.
-    pub rows: SmallVec<[MeasureRow; 3]>,
+    pub rows: SmallVec<[MeasureRow<S>; 2]>,
 }
 
-impl MeasureRow {
+impl<S: Space> MeasureRow<S> {
     /// A row of a single measure with factor -1: C = -(measure) + constant, so that C = first - second
     /// and the multiplier is the reaction on the second body (Shabana 3.129, 6.107).
-    pub fn minus(measure: Measure, target: f64, label: &str) -> Self {
+    pub fn minus(measure: Measure<S>, target: f64, label: &str) -> Self {
         Self {
             terms: SmallVec::from_elem(
                 MeasureTerm {
@@ -53,7 +54,7 @@ impl MeasureRow {
     }
 
     /// C = measure - f(t).
-    pub fn follow(measure: Measure, target: TimeFunction, label: &str) -> Self {
+    pub fn follow(measure: Measure<S>, target: TimeFunction, label: &str) -> Self {
         Self {
             terms: SmallVec::from_elem(
                 MeasureTerm {
@@ -68,23 +69,20 @@ impl MeasureRow {
     }
 
     /// Value of the sum of measures.
-    pub fn sum(&self, markers: &[PlanarMarker]) -> f64 {
+    pub fn sum(&self, markers: &[S::Marker]) -> f64 {
         self.terms
             .iter()
-            .map(|term| {
-                let m = term.measure;
-                term.factor * m.kind.value(&markers[m.first], &markers[m.second])
-            })
+            .map(|term| term.factor * term.measure.value(markers))
             .sum()
     }
 
     fn unit(&self) -> RowUnit {
         let mut unit = None;
         for term in &self.terms {
-            let own = if term.measure.kind.is_angle() {
-                RowUnit::Angle
-            } else {
+            let own = if term.measure.kind.is_length() {
                 RowUnit::Length
+            } else {
+                RowUnit::Angle
             };
             match unit {
                 None => unit = Some(own),
@@ -97,7 +95,7 @@ impl MeasureRow {
     }
 }
 
-impl ConstraintElement<Planar> for MeasureRows {
+impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
     fn labels(&self) -> Vec<RowLabel> {
         self.rows
             .iter()
@@ -108,24 +106,24 @@ impl ConstraintElement<Planar> for MeasureRows {
             .collect()
     }
 
-    fn evaluate(
-        &self,
-        input: &ConstraintInput<'_, Planar>,
-        out: &mut ConstraintOutput<'_, Planar>,
-    ) {
+    fn distances(&self) -> Vec<Measure<S>> {
+        let terms = self.rows.iter().flat_map(|row| &row.terms);
+        let measures = terms.map(|term| term.measure);
+        measures
+            .filter(|m| m.kind == S::Measure::DISTANCE)
+            .collect()
+    }
+
+    fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {
         for (k, row) in self.rows.iter().enumerate() {
             let gradient = &mut out.gradient[k * self.markers..(k + 1) * self.markers];
             for term in &row.terms {
-                let Measure {
-                    kind,
-                    first,
-                    second,
-                } = term.measure;
-                let m = kind.evaluate(&input.markers[first], &input.markers[second]);
+                let Measure { first, second, .. } = term.measure;
+                let m = term.measure.evaluate(input.markers);
                 out.value[k] += term.factor * m.value;
                 out.bias[k] += term.factor * m.bias;
-                gradient[first] += term.factor * m.first;
-                gradient[second] += term.factor * m.second;
+                gradient[first].add_scaled(term.factor, &m.first);
+                gradient[second].add_scaled(term.factor, &m.second);
             }
             match &row.target {
                 TimeFunction::Constant(value) => out.value[k] -= value,

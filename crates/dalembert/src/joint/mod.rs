@@ -9,6 +9,7 @@ mod cam;
 mod expression_rows;
 mod measure;
 mod measure_rows;
+mod planar_measure;
 mod rolling;
 mod spatial_measure;
 mod time_function;
@@ -17,9 +18,10 @@ pub use cam::{Cam, Follower, Profile};
 pub use expression_rows::ExpressionRows;
 pub use measure::{Measure, MeasureKind, Measured};
 pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
+pub use planar_measure::PlanarMeasure;
 pub use rolling::RollingOnCircle;
 pub use spatial_measure::SpatialMeasure;
-pub use time_function::TimeFunction;
+pub use time_function::{RateIntegral, TimeFunction};
 
 use crate::space::Space;
 use std::fmt::Debug;
@@ -31,7 +33,7 @@ pub enum RowUnit {
     Length,
     /// The residual is an angle [rad].
     Angle,
-    /// Anything else: the residual counts as it is.
+    /// Anything else: the residual is scaled by its gradient at the estimate.
     Other,
 }
 
@@ -82,6 +84,10 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     }
     /// Residual and derivatives at a state.
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>);
+    /// Distances among its rows: the points of each must stay apart.
+    fn distances(&self) -> Vec<Measure<S>> {
+        Vec::new()
+    }
     /// Closed curve that the element gives to the body of its first marker, in the marker's axes, for
     /// the picture [m]; empty for most.
     fn outline(&self) -> Vec<[f64; 2]> {

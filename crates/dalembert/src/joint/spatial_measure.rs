@@ -1,8 +1,8 @@
 //! Scalar measures between two markers of space: the primitives of which joints are made (Shabana 7.10).
 
-use super::Measured;
+use super::{MeasureKind, Measured};
 use crate::space::orientation::Axis;
-use crate::space::{SpatialMarker, join};
+use crate::space::{Spatial, SpatialMarker, join};
 use nalgebra::{Vector3, Vector6};
 
 /// Which scalar is measured from the first marker (a) to the second (b).
@@ -135,5 +135,25 @@ impl SpatialMeasure {
                 )
             }
         }
+    }
+}
+
+impl MeasureKind<Spatial> for SpatialMeasure {
+    const DISTANCE: Self = Self::Distance;
+
+    fn is_angle(self) -> bool {
+        self.is_angle()
+    }
+
+    fn is_length(self) -> bool {
+        self.is_length()
+    }
+
+    fn value(self, a: &SpatialMarker, b: &SpatialMarker) -> f64 {
+        self.evaluate(a, b).value
+    }
+
+    fn evaluate(self, a: &SpatialMarker, b: &SpatialMarker) -> Measured<Vector6<f64>> {
+        self.evaluate(a, b)
     }
 }

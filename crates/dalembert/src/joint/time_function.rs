@@ -3,6 +3,8 @@
 use dalembert_expr::{Jet2, Program};
 
 /// A scalar function of time with its first and second derivative.
+///
+/// Small, because every constraint row has one and nearly all are constants.
 #[derive(Clone, Debug)]
 pub enum TimeFunction {
     /// A constant.
@@ -10,18 +12,21 @@ pub enum TimeFunction {
     /// Value zero and this constant rate: a row that only fixes a velocity.
     Rate(f64),
     /// An expression of `t` alone.
-    Expression(Program),
-    /// start + integral of a rate, an expression of `t` alone, from the first break on.
-    Integral {
-        /// The rate.
-        rate: Program,
-        /// Value at the first break.
-        start: f64,
-        /// Ends of the panels of the quadrature, ascending; the first is the start [s].
-        breaks: Vec<f64>,
-        /// Integral from the start to every break.
-        sums: Vec<f64>,
-    },
+    Expression(Box<Program>),
+    /// The integral of a rate.
+    Integral(Box<RateIntegral>),
+}
+
+/// start + integral of a rate, an expression of `t` alone, from the first break on.
+#[derive(Clone, Debug)]
+pub struct RateIntegral {
+    rate: Program,
+    /// Value at the first break.
+    start: f64,
+    /// Ends of the panels of the quadrature, ascending; the first is the start [s].
+    breaks: Vec<f64>,
+    /// Integral from the start to every break.
+    sums: Vec<f64>,
 }
 
 /// Nodes and weights of the 10-point Gauss-Legendre rule on [-1, 1], positive half
@@ -98,12 +103,12 @@ impl TimeFunction {
                 return None;
             }
         }
-        Some(Self::Integral {
+        Some(Self::Integral(Box::new(RateIntegral {
             rate,
             start,
             breaks,
             sums,
-        })
+        })))
     }
 
     /// Value and the first two derivatives.
@@ -112,20 +117,19 @@ impl TimeFunction {
             Self::Constant(value) => Jet2::constant(*value),
             Self::Rate(rate) => Jet2::new(0.0, *rate, 0.0),
             Self::Expression(program) => jet_of(program, t),
-            Self::Integral {
-                rate,
-                start,
-                breaks,
-                sums,
-            } => {
-                let derivative = jet_of(rate, t);
-                // The last break that is not behind t; before the start the first panel goes on
-                // backwards, behind the end the last one forwards.
-                let k = breaks.partition_point(|b| *b <= t).saturating_sub(1);
-                let value = start + sums[k] + gauss(rate, breaks[k], t);
-                Jet2::new(value, derivative.v, derivative.d)
-            }
+            Self::Integral(integral) => integral.jet(t),
         }
+    }
+}
+
+impl RateIntegral {
+    fn jet(&self, t: f64) -> Jet2 {
+        let derivative = jet_of(&self.rate, t);
+        // The last break that is not behind t; before the start the first panel goes on
+        // backwards, behind the end the last one forwards.
+        let k = self.breaks.partition_point(|b| *b <= t).saturating_sub(1);
+        let value = self.start + self.sums[k] + gauss(&self.rate, self.breaks[k], t);
+        Jet2::new(value, derivative.v, derivative.d)
     }
 }
 

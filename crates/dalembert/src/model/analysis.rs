@@ -35,6 +35,9 @@ pub struct AnalysisOptions {
     /// Largest integration step [s]; default no limit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_step: Option<Value>,
+    /// Most steps of a simulation: it ends there with what it has; default 1000000.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_steps: Option<u32>,
     /// How constraints are kept in `simulate`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stabilization: Option<Stabilization>,

@@ -24,4 +24,5 @@ pub use graph::{Network, TerminalGraph};
 pub use loops::Loop;
 pub use parts::Part;
 pub use tree::SpanningTree;
+pub(crate) use union_find::UnionFind;
 pub use vertex::{Vertex, VertexKind};

@@ -1,6 +1,7 @@
 //! The graph in words.
 
 use super::{EdgeClass, Network, SpanningTree};
+use crate::words::counted;
 use std::fmt::Write;
 
 /// Words for a class of edges.
@@ -33,10 +34,13 @@ impl Network {
         // Writing to a String cannot fail.
         let _ = writeln!(
             out,
-            "Linear graph of \"{}\": {} vertices, {} edges",
+            "Linear graph of \"{}\": {}, {}",
             self.name,
-            self.vertices.len(),
-            self.edges.len()
+            match self.vertices.len() {
+                1 => "1 vertex".to_owned(),
+                n => format!("{n} vertices"),
+            },
+            counted(self.edges.len(), "edge")
         );
         let width = self.edges.iter().map(|e| e.name.chars().count()).max();
         let width = width.unwrap_or(0);
@@ -77,8 +81,10 @@ impl SpanningTree {
         // Writing to a String cannot fail.
         let _ = writeln!(
             out,
-            "{} formulation: {} coordinates, {} constraint rows",
-            self.formulation, size.coordinates, size.rows
+            "{} formulation: {}, {}",
+            self.formulation,
+            counted(size.coordinates, "coordinate"),
+            counted(size.rows, "constraint row")
         );
         let list = |edges: &[usize]| {
             edges

@@ -2,7 +2,7 @@
 
 /// Disjoint sets of numbers.
 #[derive(Clone, Debug)]
-pub(super) struct UnionFind {
+pub(crate) struct UnionFind {
     parent: Vec<usize>,
 }
 

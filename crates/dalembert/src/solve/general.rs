@@ -43,7 +43,7 @@ pub struct FreeMotion {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum SingularKkt {
     /// Some coordinates have neither mass nor constraint: their accelerations are not determined.
-    #[error("{} motions have neither mass nor constraint", motions.len())]
+    #[error("{} without mass and constraint", crate::words::counted(motions.len(), "motion"))]
     FreeCoordinates {
         /// One entry a motion.
         motions: Vec<FreeMotion>,

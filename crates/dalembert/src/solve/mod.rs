@@ -13,6 +13,7 @@ mod refine;
 mod residual;
 mod saddle;
 mod shape;
+mod work;
 
 pub use factored::Factored;
 pub use general::{FreeMotion, GeneralSolution, SingularKkt, solve_general};

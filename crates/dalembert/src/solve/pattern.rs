@@ -130,12 +130,6 @@ impl Pattern {
         self.aux_start[element]
     }
 
-    /// The element that a row belongs to.
-    pub fn element_of_row(&self, row: usize) -> usize {
-        // Elements without rows repeat a start: the last of equal starts is the owner.
-        self.row_start.partition_point(|&start| start <= row) - 1
-    }
-
     /// Adds `J^T l` to `out`.
     pub fn jt_mul(&self, jac: &[f64], l: &[f64], out: &mut [f64]) {
         with_dof!(self.shape.dof, dof => {

@@ -1,7 +1,6 @@
 //! Solution and refinement of the saddle system.
 
 use super::kernel::{Size, add_apply, add_apply_transposed, with_dof, with_size};
-use super::pattern::Pattern;
 use super::residual::{Residual, Rhs};
 use super::saddle::Saddle;
 
@@ -11,6 +10,10 @@ const GOAL: f64 = 1e-13;
 /// Residual up to which a solution counts as converged: near singular poses large multipliers that cancel leave more
 /// than the goal.
 const ACCEPTED: f64 = 1e-11;
+
+/// Backward error of a row of the factorization over its largest product: measured on chains of up to 10000 bars, it
+/// is 1 to 2.2 times the machine's unit, whatever the length.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Most corrections after the first solution.
 const SWEEPS: usize = 6;
@@ -25,59 +28,11 @@ enum Use {
     Lifted,
 }
 
-/// Arrays of a solution, allocated once.
-#[derive(Clone, Debug)]
-pub(super) struct Work {
-    force: Vec<f64>,
-    row: Vec<f64>,
-    aux: Vec<f64>,
-    turned: Vec<f64>,
-    step_a: Vec<f64>,
-    step_l: Vec<f64>,
-    step_s: Vec<f64>,
-    best_a: Vec<f64>,
-    best_l: Vec<f64>,
-    best_s: Vec<f64>,
-    kept_a: Vec<f64>,
-    kept_l: Vec<f64>,
-    kept_s: Vec<f64>,
-    local: Vec<f64>,
-}
-
-impl Work {
-    /// Allocates the arrays for a pattern.
-    pub fn new(pattern: &Pattern) -> Self {
-        let (coordinates, rows, aux) = (pattern.coordinates(), pattern.rows(), pattern.aux());
-        let longest = pattern
-            .shape()
-            .elements
-            .iter()
-            .map(|e| e.rows)
-            .max()
-            .unwrap_or(0);
-        Self {
-            force: vec![0.0; coordinates],
-            row: vec![0.0; rows],
-            aux: vec![0.0; aux],
-            turned: vec![0.0; rows],
-            step_a: vec![0.0; coordinates],
-            step_l: vec![0.0; rows],
-            step_s: vec![0.0; aux],
-            best_a: vec![0.0; coordinates],
-            best_l: vec![0.0; rows],
-            best_s: vec![0.0; aux],
-            kept_a: vec![0.0; coordinates],
-            kept_l: vec![0.0; rows],
-            kept_s: vec![0.0; aux],
-            local: vec![0.0; longest],
-        }
-    }
-}
-
 impl Saddle {
     /// Solves with the last factorization and refines against the true system. Allocates nothing.
     ///
-    /// `mass` has one row-major `dof x dof` block a body, the inverse of what [`factor`](Self::factor) was given.
+    /// `mass` has one row-major `dof x dof` block a body: the inverse of what [`factor`](Self::factor) was given, or a
+    /// matrix near it, which may be singular. Each sweep gains the part by which they differ on the free motions.
     pub fn solve(
         &mut self,
         mass: &[f64],
@@ -163,6 +118,9 @@ impl Saddle {
         relative: &mut f64,
     ) -> usize {
         let mut sweeps = 0;
+        if *relative <= GOAL || *relative <= self.rounding(l) {
+            return sweeps;
+        }
         while *relative > GOAL && relative.is_finite() && sweeps < SWEEPS {
             self.correction(dof, factor);
             self.work.best_a.copy_from_slice(a);
@@ -187,6 +145,22 @@ impl Saddle {
             }
         }
         sweeps
+    }
+
+    /// The relative residual that rounding of the multipliers alone can leave: in a long chain large forces of
+    /// neighbouring joints cancel on each body, and no correction gains anything below this.
+    fn rounding(&self, l: &[f64]) -> f64 {
+        let squares = l
+            .iter()
+            .zip(&self.row_weight)
+            .filter(|(_, weight)| **weight > 0.0)
+            .map(|(l, weight)| l * l / weight);
+        let largest = squares.fold(0.0, larger);
+        if self.work.scale > 0.0 {
+            ROUNDING * (largest / self.work.scale).sqrt()
+        } else {
+            0.0
+        }
     }
 
     /// Solves the factored system for the residuals in `work`; the answer is the step in `work`.
@@ -351,6 +325,7 @@ impl Saddle {
             scale = larger(scale, term * term * weight);
             sum_of_all += rest;
         }
+        work.scale = scale;
         match (f64::is_finite(sum_of_all) && scale.is_finite(), scale > 0.0) {
             (false, _) => f64::INFINITY,
             (true, false) => 0.0,

@@ -7,12 +7,13 @@ use super::ldl::{BlockLdl, Factor, Floor};
 use super::pattern::Pattern;
 use super::products::Products;
 use super::shape::SaddleShape;
+use super::work::Work;
 
 /// Rows whose pivot ratio is below this are dependent: an angle of 3e-6 to the other rows.
 ///
 /// Rounding leaves about `rows * 1e-16` of the pivot of a dependent row, far below. A body that is lighter than its
-/// neighbours by this factor looks like a dependence too: systems with (nearly) massless bodies belong to
-/// [`solve_general`](super::solve_general).
+/// neighbours by this factor looks like a dependence too: then factor a metric in which it is heavier and solve with the
+/// true mass, as [`Metric`](crate::system::Metric) does.
 pub const DEPENDENT_PIVOT: f64 = 1e-11;
 
 /// Part of its own diagonal that is added to each row while dependent rows are present.
@@ -26,6 +27,7 @@ const ZERO_ROW: f64 = 1e-24;
 
 /// Solver of `[M J^T 0; J 0 Js; 0 Js^T 0] [a; l; s] = [f; g; h]` on a fixed pattern.
 ///
+/// M may be singular: what is factored is the inverse of any regular matrix near it, and solutions are refined against M.
 /// The auxiliaries go first: an orthogonal turn of the rows of their element separates them exactly. Then the bodies
 /// (M is block-diagonal), which leaves `S = J M^-1 J^T` on the graph of elements that share a body. S is factored by
 /// a block-sparse LDL^T in minimum-degree order: linear time for chains and trees. A body with many elements makes
@@ -66,7 +68,7 @@ pub struct Saddle {
     largest: f64,
     vanished: Vec<usize>,
     zero: Vec<usize>,
-    pub(super) work: super::refine::Work,
+    pub(super) work: Work,
 }
 
 impl Saddle {
@@ -98,7 +100,7 @@ impl Saddle {
             largest: 1.0,
             vanished: Vec::with_capacity(rows),
             zero: Vec::with_capacity(rows),
-            work: super::refine::Work::new(&pattern),
+            work: Work::new(&pattern),
             auxiliaries,
             pattern,
             ldl,

@@ -12,12 +12,14 @@ pub use planar::{Planar, PlanarFrame, PlanarMarker, PlanarPose, perpendicular};
 pub use spatial::{Spatial, SpatialFrame, SpatialMarker, SpatialPose, join};
 pub use tuple::Tuple;
 
+use crate::joint::MeasureKind;
 use std::fmt::Debug;
+use std::hash::Hash;
 
 /// What a dimension must say about itself, for the assembly to be written once.
 ///
 /// Coordinates of a body: `NQ` positions and `NV` velocities, of its centre of mass.
-pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
+pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Position coordinates of a body.
     const NQ: usize;
     /// Velocity coordinates of a body.
@@ -30,6 +32,9 @@ pub trait Space: Copy + Debug + Default + Send + Sync + 'static {
     type Pose: Copy + Debug + Default + Send + Sync;
     /// A frame's pose and velocity in ground axes at one instant.
     type Marker: Copy + Debug + Default + Send + Sync;
+
+    /// Scalars that are measured between two markers.
+    type Measure: MeasureKind<Self>;
 
     /// Pose of a body with coordinates `q` (NQ).
     fn pose(q: &[f64]) -> Self::Pose;

@@ -1,10 +1,11 @@
 //! The plane: three coordinates a body.
 
 use super::Space;
+use crate::joint::PlanarMeasure;
 use nalgebra::{Vector2, Vector3};
 
 /// Planar motion: q = v-layout = (x, y, angle) of the centre of mass, ground axes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Planar;
 
 /// A frame fixed in a planar body, from the centre of mass, in body axes.
@@ -63,6 +64,7 @@ impl Space for Planar {
     type Frame = PlanarFrame;
     type Pose = PlanarPose;
     type Marker = PlanarMarker;
+    type Measure = PlanarMeasure;
 
     fn pose(q: &[f64]) -> PlanarPose {
         let (s, c) = q[2].sin_cos();

@@ -1,6 +1,7 @@
 //! Space: seven position coordinates and six velocity coordinates a body.
 
 use super::Space;
+use crate::joint::SpatialMeasure;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
 
 /// Spatial motion of the centre of mass.
@@ -8,7 +9,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
 /// q = (r, b): position in ground axes [m], Euler parameters with the scalar first.
 /// v = (r', omegabar): velocity in ground axes [m/s], angular velocity in BODY axes [rad/s] (Tokad 42: the mass block is
 /// constant).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spatial;
 
 /// A frame fixed in a spatial body, from the centre of mass, in body axes.
@@ -92,6 +93,7 @@ impl Space for Spatial {
     type Frame = SpatialFrame;
     type Pose = SpatialPose;
     type Marker = SpatialMarker;
+    type Measure = SpatialMeasure;
 
     /// The Euler parameters need not have unit norm: the stages of an integrator leave the sphere a little.
     fn pose(q: &[f64]) -> SpatialPose {

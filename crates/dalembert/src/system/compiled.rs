@@ -1,7 +1,8 @@
 //! The compiled system and its evaluation.
 
+use super::plan::Plan;
 use super::{
-    BodyData, ElementData, ForceData, MarkerData, Phase, Role, State, TraceData, Workspace,
+    BodyData, ElementData, ForceData, MarkerData, Metric, Phase, Role, State, TraceData, Workspace,
 };
 use crate::joint::{ConstraintInput, ConstraintOutput, RowLabel, RowUnit};
 use crate::solve::{ElementShape, SaddleShape};
@@ -33,8 +34,8 @@ pub struct System<S: Space> {
     pub traces: Vec<TraceData>,
     /// Mass matrix, NV x NV row-major a body (constant: central frames).
     pub mass: Vec<f64>,
-    /// Inverse of every block where it has one; zero blocks for massless bodies.
-    pub mass_inverse: Vec<f64>,
+    /// The mass matrix made regular, for the solver.
+    pub metric: Metric,
     /// Does a body lack mass or inertia, so that M is singular?
     pub massless: bool,
     /// Weight of every body, generalized force of gravity.
@@ -59,6 +60,7 @@ pub struct System<S: Space> {
     max_rows: usize,
     max_markers: usize,
     max_aux: usize,
+    plan: Plan<S>,
 }
 
 impl<S: Space> System<S> {
@@ -83,7 +85,7 @@ impl<S: Space> System<S> {
             forces,
             traces,
             mass,
-            mass_inverse: Vec::new(),
+            metric: Metric::default(),
             massless: false,
             weight: Vec::new(),
             gravity,
@@ -98,6 +100,7 @@ impl<S: Space> System<S> {
             max_rows: 0,
             max_markers: 0,
             max_aux: 0,
+            plan: Plan::default(),
         };
         system.lay_out();
         system
@@ -145,6 +148,7 @@ impl<S: Space> System<S> {
         active.dedup();
         active.retain(|&m| self.markers[m].body.is_some());
         self.active = active;
+        self.plan = Plan::new(&self.elements);
     }
 
     /// The same machine with the rows of another choice of elements. Elements with auxiliary
@@ -227,7 +231,8 @@ impl<S: Space> System<S> {
     pub fn row_scale(&self, row: usize) -> f64 {
         match self.row_refs[row].label.unit {
             RowUnit::Length => self.size,
-            RowUnit::Angle | RowUnit::Other => 1.0,
+            RowUnit::Angle => 1.0,
+            RowUnit::Other => self.elements[self.row_refs[row].element].scale,
         }
     }
 
@@ -303,54 +308,63 @@ impl<S: Space> System<S> {
             gradient,
             ..
         } = ws;
-        value.fill(0.0);
-        time.fill(0.0);
-        qd.fill(0.0);
-        jac.fill(0.0);
-        jac_aux.fill(0.0);
-        let (mut at, mut at_aux) = (0, 0);
-        for e in &self.elements {
-            let (nm, nr, na) = (e.markers.len(), e.rows.len(), e.aux.len());
-            for (slot, &m) in local_markers.iter_mut().zip(&e.markers) {
-                *slot = markers[m];
+        let (mut row, mut aux, mut at, mut at_aux) = (0, 0, 0, 0);
+        for step in self.plan.steps() {
+            let (nm, nr, na) = (step.places.len(), step.rows, step.aux);
+            for (local, place) in local_markers.iter_mut().zip(step.places) {
+                *local = markers[place.marker()];
             }
+            let block = nr * S::NV;
+            let rows = row..row + nr;
+            let auxiliaries = aux..aux + na;
             let gradient = &mut gradient[..nr * nm];
+            let jac = &mut jac[at..at + step.bodies * block];
+            let jac_aux = &mut jac_aux[at_aux..at_aux + nr * na];
+            let (value, time, qd) = (
+                &mut value[rows.clone()],
+                &mut time[rows.clone()],
+                &mut qd[rows.clone()],
+            );
+            for out in [&mut *value, &mut *time, &mut *qd, &mut *jac, &mut *jac_aux] {
+                out.fill(0.0);
+            }
             gradient.fill(S::Twist::zero());
-            e.element.evaluate(
+            step.element.evaluate(
                 &ConstraintInput {
                     t,
                     markers: &local_markers[..nm],
-                    s: &s[e.aux.clone()],
-                    s_rate: &s_rate[e.aux.clone()],
+                    s: &s[auxiliaries.clone()],
+                    s_rate: &s_rate[auxiliaries.clone()],
                 },
                 &mut ConstraintOutput {
-                    value: &mut value[e.rows.clone()],
+                    value,
                     gradient,
-                    auxiliary: &mut jac_aux[at_aux..at_aux + nr * na],
-                    time: &mut time[e.rows.clone()],
-                    bias: &mut qd[e.rows.clone()],
+                    auxiliary: jac_aux,
+                    time,
+                    bias: qd,
                 },
             );
-            let block = nr * S::NV;
-            for (k, slot) in e.slots.iter().enumerate() {
-                let Some(slot) = *slot else { continue };
+            for (k, place) in step.places.iter().enumerate() {
+                let Some(slot) = place.slot() else { continue };
                 let m = &local_markers[k];
                 let own = S::bias(m);
                 for r in 0..nr {
                     let g = &gradient[r * nm + k];
                     let pulled = S::pull(m, g);
-                    let start = at + slot * block + r * S::NV;
+                    let start = slot * block + r * S::NV;
                     for (x, y) in jac[start..start + S::NV].iter_mut().zip(pulled.as_slice()) {
                         *x += y;
                     }
-                    qd[e.rows.start + r] += g.dot(&own);
+                    qd[r] += g.dot(&own);
                 }
             }
-            at += e.bodies.len() * block;
+            for x in qd.iter_mut() {
+                *x = -*x;
+            }
+            row = rows.end;
+            aux = auxiliaries.end;
+            at += step.bodies * block;
             at_aux += nr * na;
-        }
-        for x in qd.iter_mut() {
-            *x = -*x;
         }
     }
 
@@ -429,7 +443,7 @@ impl<S: Space> System<S> {
         self.each_aux(|row, aux, at| out[n + aux] += factor * lambda[row] * ws.jac_aux[at]);
     }
 
-    fn each_block(&self, mut f: impl FnMut(&ElementData<S>, usize, usize)) {
+    pub(super) fn each_block(&self, mut f: impl FnMut(&ElementData<S>, usize, usize)) {
         let mut at = 0;
         for e in &self.elements {
             for &b in &e.bodies {

@@ -2,7 +2,7 @@
 
 use crate::force::ForceElement;
 use crate::joint::{ConstraintElement, Measure};
-use crate::space::Space;
+use crate::space::{Planar, Space};
 use smallvec::SmallVec;
 use std::ops::Range;
 use std::sync::Arc;
@@ -42,11 +42,11 @@ pub enum Phase {
 
 /// A free coordinate of a joint: a measure on the element's own markers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Coordinate {
+pub struct Coordinate<S: Space = Planar> {
     /// Name: "angle", "displacement".
     pub name: &'static str,
     /// The measure (a basis vector of the motion subspace S).
-    pub measure: Measure,
+    pub measure: Measure<S>,
 }
 
 /// A compiled constraint element.
@@ -71,9 +71,11 @@ pub struct ElementData<S: Space> {
     /// Marker whose axes are the joint's axes.
     pub axes_marker: usize,
     /// Its free coordinates.
-    pub coordinates: SmallVec<[Coordinate; 2]>,
+    pub coordinates: SmallVec<[Coordinate<S>; 2]>,
     /// Initial estimates of its auxiliary coordinates.
     pub auxiliary_start: SmallVec<[f64; 1]>,
+    /// What counts as 1 in its rows that are neither lengths nor angles; set by the system.
+    pub scale: f64,
     /// Distinct movable bodies; set by the system.
     pub bodies: SmallVec<[usize; 4]>,
     /// For each marker the position of its body in `bodies`; set by the system.

@@ -4,6 +4,9 @@
 mod body;
 mod compiled;
 mod element;
+mod metric;
+mod plan;
+mod row_scales;
 mod state;
 mod workspace;
 
@@ -12,5 +15,6 @@ pub mod compile;
 pub use body::BodyData;
 pub use compiled::{RowRef, System};
 pub use element::{Coordinate, ElementData, ForceData, MarkerData, Phase, Role, TraceData};
+pub use metric::Metric;
 pub use state::State;
 pub use workspace::Workspace;

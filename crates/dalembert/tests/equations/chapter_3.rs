@@ -155,3 +155,215 @@ fn example_3_14_prismatic_joint_off_the_constraints() {
         1e-13,
     );
 }
+
+/// Three bars that turn about one point, their angles tied by the loop equations of a four-bar linkage: the
+/// book's three coordinates. Lengths: ground, crank, coupler, rocker; angles and rates of the three bars.
+pub fn loop_equations(lengths: [f64; 4], angles: [f64; 3], rates: [f64; 3]) -> Value {
+    let [ground, crank, coupler, rocker] = lengths;
+    let names = ["crank", "coupler", "rocker"];
+    let bars: Vec<Value> = (0..3)
+        .map(|k| {
+            json!({"name": names[k], "mass": 1.0, "inertia": 1.0, "angle": angles[k], "angular_velocity": rates[k]})
+        })
+        .collect();
+    let pins: Vec<Value> = names
+        .iter()
+        .map(|n| {
+            pin(
+                &format!("pin of {n}"),
+                ["ground", n],
+                [[0.0, 0.0], [0.0, 0.0]],
+            )
+        })
+        .collect();
+    let side = |function: &str| {
+        format!(
+            "{crank}*{function}(crank.angle) + {coupler}*{function}(coupler.angle) + {rocker}*{function}(rocker.angle)"
+        )
+    };
+    json!({
+        "body": bars,
+        "joint": pins,
+        "constraint": [
+            {"name": "along", "kind": "expression", "expression": format!("{} - {ground}", side("cos"))},
+            {"name": "across", "kind": "expression", "expression": side("sin")}
+        ]
+    })
+}
+
+/// Residuals and gradients by the three angles of the rows behind those of the pins.
+fn of_angles(r: &EquationsReport) -> (DVector<f64>, DMatrix<f64>) {
+    let (c, all) = (vector(&r.residual), dense(&r.jacobian));
+    let rows = c.len() - 6;
+    (
+        c.rows(6, rows).into_owned(),
+        DMatrix::from_fn(rows, 3, |i, j| all[(6 + i, 3 * j + 2)]),
+    )
+}
+
+#[test]
+fn example_3_13_newton_steps_of_a_four_bar() {
+    let degree = std::f64::consts::PI / 180.0;
+    let at = |angles: [f64; 3], rates: [f64; 3]| {
+        let mut model = loop_equations([0.35, 0.2, 0.35, 0.25], angles, rates);
+        model["driver"] = json!([{"name": "motor", "kind": "angle", "joint": "pin of crank",
+            "value": format!("{} + 5*(t - 0.02 s)", 63.0 * degree)}]);
+        model["analysis"] = json!({"start": 0.02});
+        at_estimate(model, &Equations::default())
+    };
+    let (c, c_q) = of_angles(&at([63.0, 10.0, 245.0].map(|a| a * degree), [0.0; 3]));
+    near(
+        c.as_slice(),
+        &[-0.020_173_751_932_992_645, 0.012_401_220_261_936_685, 0.0],
+        EXACT,
+    );
+    near(
+        c_q.transpose().as_slice(),
+        &[
+            -0.178_201_304_837_673_57,
+            -0.060_776_862_183_425_61,
+            0.226_576_946_759_162_5,
+            0.090_798_099_947_909_37,
+            0.344_682_713_554_272_77,
+            -0.105_654_565_435_174_79,
+            1.0,
+            0.0,
+            0.0,
+        ],
+        EXACT,
+    );
+    let step = |c: DVector<f64>, c_q: DMatrix<f64>| -c_q.lu().solve(&c).unwrap();
+    near(
+        step(c, c_q).as_slice(),
+        &[0.0, -0.009_464_583_481_204_884, 0.086_498_315_594_145_45],
+        SOLVED,
+    );
+    // The book stops here and takes rates and accelerations at this pose.
+    let r = at(
+        [
+            1.099_557_428_756_427_6,
+            0.165_068_341_718_228_07,
+            4.362_554_982_980_253,
+        ],
+        [5.0, -0.397_568_018_194_187_7, 3.696_462_652_469_820_8],
+    );
+    let (c, c_q) = of_angles(&r);
+    near(
+        c.as_slice(),
+        &[
+            0.000_355_128_556_838_835_15,
+            0.000_855_809_826_403_458_6,
+            0.0,
+        ],
+        SOLVED,
+    );
+    let rates = c_q.clone()
+        * DVector::from_column_slice(&[5.0, -0.397_568_018_194_187_7, 3.696_462_652_469_820_8]);
+    near(rates.as_slice(), &[0.0, 0.0, 5.0], SOLVED);
+    near(
+        step(c, c_q).as_slice(),
+        &[0.0, -0.003_038_844_108_889_185, -0.002_256_255_390_615_012],
+        SOLVED,
+    );
+    near(
+        &r.qd.values[6..],
+        &[1.153_729_472_485_241, 1.255_069_867_737_167_2, 0.0],
+        SOLVED,
+    );
+    let angular = [2, 5, 8].map(|k| accelerations(&r)[k]);
+    near(
+        &angular,
+        &[0.0, 5.168_685_207_061_56, 6.178_176_201_904_22],
+        SOLVED,
+    );
+    // The converged answer.
+    let r = at(
+        [
+            1.099_557_428_756_427_6,
+            0.162_030_026_665_343_97,
+            4.360_304_717_755_604,
+        ],
+        [5.0, -0.390_060_448_996_733_5, 3.703_093_258_639_361],
+    );
+    assert!(r.residual.values.iter().all(|c| c.abs() < 1e-15));
+    let angular = [2, 5, 8].map(|k| accelerations(&r)[k]);
+    near(
+        &angular,
+        &[0.0, 5.127_100_640_852_201, 6.092_779_717_079_026_5],
+        SOLVED,
+    );
+}
+
+#[test]
+fn example_5_2_gradients_of_the_loop_equations() {
+    let angles = [
+        1.221_730_476_396_030_6,
+        0.232_276_418_925_485_5,
+        4.345_328_481_925_324,
+    ];
+    let r = at_estimate(
+        loop_equations([0.35, 0.2, 0.4, 0.3], angles, [0.0; 3]),
+        &independent(&["crank.angle"]),
+    );
+    near(
+        of_angles(&r).1.transpose().as_slice(),
+        &[
+            -0.187_938_524_157_181_68,
+            -0.092_077_361_412_232_22,
+            0.280_015_885_569_413_87,
+            0.068_404_028_665_133_77,
+            0.389_257_960_118_173_04,
+            -0.107_661_988_783_306_95,
+        ],
+        EXACT,
+    );
+    let b = r.independent.unwrap().motions;
+    near(
+        &[b.values[5][0], b.values[8][0]],
+        &[0.010_895_883_828_571_136, 0.674_753_819_791_889_5],
+        SOLVED,
+    );
+}
+
+/// A squared distance, which the book takes for its row, and the joint, whose row is the distance itself.
+#[test]
+fn problem_3_22_massless_rod() {
+    let bodies = json!([
+        {"name": "i", "mass": 1, "inertia": 1, "position": [0.2, 0.1], "angle": 0.3, "velocity": [1.0, -2.0], "angular_velocity": 0.5},
+        {"name": "j", "mass": 1, "inertia": 1, "position": [0.9, -0.4], "angle": 1.1, "velocity": [0.3, 0.7], "angular_velocity": -1.5}
+    ]);
+    let gradient = [
+        -0.876_741_639_971_781_3,
+        1.885_243_828_734_256_3,
+        0.262_104_835_977_437_3,
+        0.876_741_639_971_781_3,
+        -1.885_243_828_734_256_3,
+        0.619_195_024_150_651_5,
+    ];
+    let squared = json!({
+        "body": bodies,
+        "trace": [{"name": "P", "body": "i", "at": [0.1, 0.2]}, {"name": "Q", "body": "j", "at": [-0.3, 0.1]}],
+        "constraint": [{"name": "rod", "kind": "expression", "expression": "(P.x - Q.x)^2 + (P.y - Q.y)^2 - 1 m^2"}]
+    });
+    let r = at_estimate(squared, &Equations::default());
+    near(&r.jacobian.values[0], &gradient, EXACT);
+    near(&r.qd.values, &[-19.345_069_447_109_754], EXACT);
+    let joint = json!({
+        "body": bodies,
+        "joint": [{"name": "rod", "kind": "distance", "bodies": ["i", "j"], "at": [[0.1, 0.2], [-0.3, 0.1]], "length": 1.0}]
+    });
+    let r = at_estimate(joint, &Equations::default());
+    // C = 1 - l, so the square's gradient is -2 l times this one, and (l^2)'' = 2 l l'' + 2 l'^2.
+    let length = 1.0 - r.residual.values[0];
+    let scaled: Vec<f64> = r.jacobian.values[0]
+        .iter()
+        .map(|x| -2.0 * length * x)
+        .collect();
+    near(&scaled, &gradient, EXACT);
+    let rate: f64 = -(dense(&r.jacobian) * vector(&r.velocities))[0];
+    near(
+        &[-2.0 * length * r.qd.values[0] - 2.0 * rate * rate],
+        &[-19.345_069_447_109_754],
+        EXACT,
+    );
+}

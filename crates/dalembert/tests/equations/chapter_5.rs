@@ -180,6 +180,119 @@ fn example_5_5_forces_of_a_spring_in_the_four_bar() {
     );
 }
 
+/// The same forces in the three link angles: where the last bar hangs on the other two, and where it turns about
+/// its own pivot. The loop is open there, so that the three angles are independent.
+#[test]
+fn example_5_5_forces_of_the_spring_in_three_angles() {
+    let angles = ["2.angle", "3.angle", "4.angle"];
+    for (missing, expected) in [
+        (
+            "C",
+            [
+                0.217_671_310_205_984_04,
+                0.090_045_437_996_977_3,
+                -0.307_716_748_202_961_4,
+            ],
+        ),
+        (
+            "B",
+            [-0.404_246_718_953_970_3, 0.0, 0.615_433_496_405_922_8],
+        ),
+    ] {
+        let mut model = no_gravity(four_bar(150.0));
+        model["force"] = json!([{"name": "spring", "kind": "spring-damper", "bodies": ["2", "4"],
+            "at": [[0.03, 0.0], [-0.05, 0.0]], "stiffness": 250.0, "damping": 10.0, "free_length": 0.35}]);
+        // Rates as in the closed loop.
+        model["initial"] = json!([
+            {"kind": "coordinate", "body": "2", "coordinate": "angle", "value": 1.221_730_476_396_030_6, "rate": 150.0},
+            {"kind": "coordinate", "body": "3", "coordinate": "angle", "value": 0.232_276_418_925_485_5, "rate": 1.634_382_574_285_668},
+            {"kind": "coordinate", "body": "4", "coordinate": "angle", "value": 4.345_328_481_925_324, "rate": 101.213_072_968_783_46}
+        ]);
+        let joints = model["joint"].as_array_mut().unwrap();
+        joints.retain(|j| j["name"] != missing);
+        let r = at_start(model, &independent(&angles));
+        let b = dense(&r.independent.as_ref().unwrap().motions);
+        near(
+            (b.transpose() * vector(&r.applied)).as_slice(),
+            &expected,
+            SOLVED,
+        );
+    }
+}
+
+/// Forces of the slider crank in crank angle, rod angle and slider position, before the last pin ties them.
+#[test]
+fn section_5_3_forces_in_three_coordinates() {
+    let forces = json!([
+        {"name": "M2", "kind": "moment", "body": "2", "value": 2.0},
+        {"name": "F3", "kind": "force", "body": "3", "value": [3.0, -1.0]},
+        {"name": "F4", "kind": "force", "body": "4", "value": [-30.0, 0.0]}
+    ]);
+    let mut model = no_gravity(slider_crank([0.5, 0.8, 1.0], 0.01, 0.0, forces));
+    model["joint"]
+        .as_array_mut()
+        .unwrap()
+        .retain(|j| j["name"] != "B");
+    let r = at_start(model, &independent(&["2.angle", "3.angle", "4.x"]));
+    let b = dense(&r.independent.unwrap().motions);
+    near(
+        (b.transpose() * vector(&r.applied)).as_slice(),
+        &[1.434_314_575_050_762, 0.025_049_165_017_267_2, -30.0],
+        SOLVED,
+    );
+}
+
+#[test]
+fn section_5_4_gravity_away_from_the_centre_of_mass() {
+    let body = json!([{"name": "plate", "mass": 3.0, "inertia": 1.0, "center": [0.2, -0.1], "angle": 0.436_332_312_998_582_4}]);
+    let r = at_estimate(json!({"body": body}), &Equations::default());
+    near(
+        &r.applied.values,
+        &[0.0, -29.43, -6.578_293_178_800_600_5],
+        EXACT,
+    );
+}
+
+#[test]
+fn problems_5_20_to_5_34_mass_matrix_of_three_links() {
+    let angles = [45.0_f64, 30.0, 45.0].map(f64::to_radians);
+    let (mut bodies, mut at) = (Vec::new(), [0.0_f64, 0.0]);
+    for (k, a) in angles.iter().enumerate() {
+        bodies.push(rod(
+            &(k + 2).to_string(),
+            1.0,
+            1.0,
+            [at[0] + 0.5 * a.cos(), at[1] + 0.5 * a.sin()],
+            *a,
+        ));
+        at = [at[0] + a.cos(), at[1] + a.sin()];
+    }
+    let model = json!({
+        "body": bodies,
+        "joint": [pin("O", ["2", "ground"], [[-0.5, 0.0], [0.0, 0.0]]),
+                  pin("A", ["2", "3"], [[0.5, 0.0], [-0.5, 0.0]]),
+                  pin("B", ["3", "4"], [[0.5, 0.0], [-0.5, 0.0]])]
+    });
+    let e = at_estimate(model, &independent(&["2.angle", "3.angle", "4.angle"]))
+        .independent
+        .unwrap();
+    near(
+        dense(&e.mass).as_slice(),
+        &[
+            2.333_333_333_333_333_5,
+            1.448_888_739_433_602_5,
+            0.5,
+            1.448_888_739_433_602_5,
+            1.333_333_333_333_333_3,
+            0.482_962_913_144_534_16,
+            0.5,
+            0.482_962_913_144_534_16,
+            0.333_333_333_333_333_3,
+        ],
+        SOLVED,
+    );
+}
+
 #[test]
 fn section_5_7_slider_crank_in_one_coordinate() {
     let model = slider_crank(

@@ -2,6 +2,34 @@
 
 use super::*;
 
+/// Mass, place of the centre, inertia about it and about the end of the rod. (The book adds the masses to 36.227 kg.)
+#[test]
+fn example_6_1_body_of_parts() {
+    let hammer = json!([{"name": "hammer", "shape": [
+        {"kind": "lump", "mass": 0.62, "inertia": 0.05167, "at": [0.5, 0.0]},
+        {"kind": "lump", "mass": 39.45, "inertia": 4.109, "at": [1.5, 0.0]},
+        {"kind": "lump", "mass": 3.873, "inertia": 0.03026, "at": [1.5, 0.0], "cut": true}
+    ]}]);
+    let r = at_estimate(json!({"body": hammer}), &Equations::default());
+    let m = &r.mass.values;
+    near(
+        &[m[0][0], m[1][2] / m[0][0], m[2][2], 150.0 * m[2][2]],
+        &[
+            36.197,
+            1.482_871_508_688_565_3,
+            84.333_660_000_000_01,
+            12_650.049,
+        ],
+        EXACT,
+    );
+    let center = Equations {
+        frame: ReferenceFrame::Center,
+        ..Equations::default()
+    };
+    let r = at_estimate(json!({"body": hammer}), &center);
+    near(&[r.mass.values[2][2]], &[4.739_790_335_386_911], SOLVED);
+}
+
 #[test]
 fn example_6_2_rod_with_its_frame_at_one_end() {
     let body = json!([{"name": "rod", "mass": 2.0, "inertia": 0.375, "center": [0.75, 0.0],
@@ -268,8 +296,9 @@ fn equation_6_144_blocks_of_the_inverse() {
         ],
         SOLVED,
     );
+    // Columns of the upper right block, then of the symmetric upper left one.
     near(
-        h.view((0, 6), (6, 1)).into_owned().as_slice(),
+        h.view((0, 6), (6, 2)).into_owned().as_slice(),
         &[
             0.204_654_116_371_051_46,
             -0.025_590_143_493_958_74,
@@ -277,17 +306,53 @@ fn equation_6_144_blocks_of_the_inverse() {
             -0.409_308_232_742_102_93,
             0.051_180_286_987_917_48,
             0.982_667_561_782_950_3,
+            -0.025_590_143_493_958_734,
+            0.103_953_545_862_433_42,
+            0.395_731_869_006_808_6,
+            0.051_180_286_987_917_47,
+            -0.207_907_091_724_866_85,
+            1.357_636_234_284_38,
         ],
         SOLVED,
     );
     near(
-        h.view((0, 0), (6, 6)).diagonal().as_slice(),
+        h.view((0, 0), (6, 6)).into_owned().as_slice(),
         &[
             0.397_672_941_814_474_27,
+            0.012_795_071_746_979_367,
+            0.296_925_185_783_580_9,
+            0.204_654_116_371_051_46,
+            -0.025_590_143_493_958_734,
+            -0.491_333_780_891_475_34,
+            0.012_795_071_746_979_37,
             0.448_023_227_068_783_3,
+            -0.197_865_934_503_404_3,
+            -0.025_590_143_493_958_74,
+            0.103_953_545_862_433_42,
+            -0.678_818_117_142_189_9,
+            0.296_925_185_783_580_9,
+            -0.197_865_934_503_404_3,
             1.958_868_234_666_886_2,
+            -0.593_850_371_567_161_8,
+            0.395_731_869_006_808_6,
+            -0.936_224_785_974_823_1,
+            0.204_654_116_371_051_46,
+            -0.025_590_143_493_958_734,
+            -0.593_850_371_567_161_8,
             0.590_691_767_257_897_1,
+            0.051_180_286_987_917_47,
+            0.982_667_561_782_950_7,
+            -0.025_590_143_493_958_74,
+            0.103_953_545_862_433_42,
+            0.395_731_869_006_808_6,
+            0.051_180_286_987_917_48,
             0.792_092_908_275_133_1,
+            1.357_636_234_284_379_7,
+            -0.491_333_780_891_475_17,
+            -0.678_818_117_142_19,
+            -0.936_224_785_974_823_2,
+            0.982_667_561_782_950_3,
+            1.357_636_234_284_38,
             6.763_250_326_007_776_5,
         ],
         SOLVED,
@@ -590,5 +655,64 @@ fn problem_6_8_pinned_rod_with_a_force_at_its_end() {
         near(accelerations(&r), &a, SOLVED);
         let l = multipliers(&r);
         near(&[-l[0], -l[1]], &reaction, SOLVED);
+    }
+}
+
+/// The angles of two links of a closed ring are determined by the other four unless the two links are parallel.
+#[test]
+fn section_6_12_dependent_angles_of_a_ring() {
+    let step = std::f64::consts::FRAC_PI_3;
+    let (mut bodies, mut joints, mut at) = (Vec::new(), Vec::new(), [0.0_f64, 0.0]);
+    for k in 0..6_u8 {
+        let (sin, cos) = (f64::from(k) * step).sin_cos();
+        bodies.push(rod(
+            &format!("link {}", k + 1),
+            1.0,
+            0.5,
+            [at[0] + 0.25 * cos, at[1] + 0.25 * sin],
+            f64::from(k) * step,
+        ));
+        at = [at[0] + 0.5 * cos, at[1] + 0.5 * sin];
+        let pair = [
+            format!("link {}", k + 1),
+            format!("link {}", (k + 1) % 6 + 1),
+        ];
+        joints.push(pin(
+            &format!("pin {}", k + 1),
+            [&pair[0], &pair[1]],
+            [[0.25, 0.0], [-0.25, 0.0]],
+        ));
+    }
+    let ring = json!({"body": bodies, "joint": joints});
+    for (dependent, expected) in [
+        ([1, 2], 0.216_506_350_946_109_65),
+        ([1, 3], 0.216_506_350_946_109_68),
+        ([1, 4], 0.0),
+    ] {
+        let mut names = vec!["link 1.x".to_owned(), "link 1.y".to_owned()];
+        names.extend(
+            (1..=6)
+                .filter(|k| !dependent.contains(k))
+                .map(|k| format!("link {k}.angle")),
+        );
+        let wanted: Vec<&str> = names.iter().map(String::as_str).collect();
+        let r = at_estimate(ring.clone(), &independent(&wanted));
+        // The five other places follow with determinant 1: |det C_qd| is that of the two loop equations.
+        let mut c = dense(&r.jacobian);
+        for (k, name) in r.positions.rows.iter().enumerate().rev() {
+            if names.contains(name) {
+                c = c.remove_column(k);
+            }
+        }
+        assert!(
+            (c.determinant().abs() - expected).abs() < 1e-14,
+            "{dependent:?}: {}",
+            c.determinant()
+        );
+        let refused = r
+            .notes
+            .iter()
+            .any(|n| n.contains("not independent at this pose"));
+        assert_eq!(refused, expected == 0.0, "{:?}", r.notes);
     }
 }

@@ -50,7 +50,7 @@ pub fn run_both(system: &System<Planar>) -> StaticsReport {
         running.evaluate_constraints(reduced.time, &mut ws);
         running.evaluate_forces(reduced.time, &mut ws);
         ws.rhs.fill(0.0);
-        ws.factor(&running.mass_inverse);
+        ws.factor(&running.metric.inverse);
         ws.solve_forces(&running.mass);
         for a in &ws.a {
             close(*a, 0.0, 1e-7);

@@ -109,7 +109,7 @@ fn a_two_link_arm_balances_moments_up_to_a_limit() {
         let mut moments = [10.0, -3.0];
         moments[k] = 1.02 * most[k];
         let error = dalembert::analysis::Statics {
-            starts: 2,
+            starts: Some(2),
             ..Default::default()
         }
         .run(&arm(moments))

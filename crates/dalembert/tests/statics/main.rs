@@ -4,6 +4,7 @@ mod chain;
 mod common;
 mod holding;
 mod linkage;
+mod neutral;
 mod none;
 mod several;
 mod single;

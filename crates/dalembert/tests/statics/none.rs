@@ -10,7 +10,7 @@ fn failure(system: &System<Planar>) -> (String, f64, String) {
     for route in [Route::Multipliers, Route::Reduced] {
         let error = Statics {
             route,
-            starts: 4,
+            starts: Some(4),
             ..Statics::default()
         }
         .run(system)

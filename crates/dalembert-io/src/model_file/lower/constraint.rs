@@ -50,7 +50,11 @@ pub(super) fn lower(mut table: TableReader<'_>) -> Constraint {
 
 fn terms(item: &Item<'_>) -> Option<Vec<Term>> {
     if item.entries("a list of tables")?.is_empty() {
-        item.wrong_length("at least 1", 0);
+        item.wrong_length(
+            "at least 1",
+            0,
+            "write [{ factor = 1, kind = \"angle\", ... }]",
+        );
     }
     item.list(|item| {
         let term = super::table_of(item, |table| {

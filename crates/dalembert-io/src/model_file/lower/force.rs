@@ -113,7 +113,11 @@ fn matrix(item: &Item<'_>) -> Option<Matrix> {
     let expected = format!("a list of {size} numbers or of {size} rows");
     let entries = item.entries(&expected)?;
     if entries.len() != size {
-        item.wrong_length(&size.to_string(), entries.len());
+        item.wrong_length(
+            &size.to_string(),
+            entries.len(),
+            "give the diagonal, or all rows",
+        );
     }
     if !entries.iter().any(|e| matches!(e.value, DeValue::Array(_))) {
         return item.values().map(Matrix::Diagonal);
@@ -121,7 +125,7 @@ fn matrix(item: &Item<'_>) -> Option<Matrix> {
     let row = |item: &Item<'_>| {
         let found = item.entries(&format!("a row of {size} numbers"))?.len();
         if found != size {
-            item.wrong_length(&size.to_string(), found);
+            item.wrong_length(&size.to_string(), found, "complete the row");
         }
         item.values()
     };

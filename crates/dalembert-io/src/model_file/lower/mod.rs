@@ -63,7 +63,12 @@ pub(super) fn model(context: &Context<'_>, root: &DeTable<'_>) -> Model {
         analysis: section(&mut file, "analysis", settings::analysis).unwrap_or_default(),
         output: section(&mut file, "output", settings::output).unwrap_or_default(),
     };
-    context.absent.borrow_mut().extend(file.finish());
+    let absent = file.finish();
+    // Every use of a parameter or table of such a section would be blamed again.
+    if absent.iter().any(|s| matches!(*s, "parameters" | "table")) {
+        context.lost.set(true);
+    }
+    context.absent.borrow_mut().extend(absent);
     model
 }
 
@@ -94,7 +99,7 @@ fn elements<'a, T>(
         list.error(
             "wrong-type",
             "expected a list of tables, found a table",
-            Some(help),
+            help,
         );
         list.place.path.push_str("[0]");
         vec![list]

@@ -40,11 +40,11 @@ pub(super) fn lower(file: &mut TableReader<'_>) -> IndexMap<String, Value> {
         } else {
             let text = "a name for expressions starts with a letter and has letters (a to z, A to Z), \
                         digits and underscores only";
-            item.context.report_key(Diagnostic::error(
-                "bad-name",
-                item.place.path.clone(),
-                item.place.message(text),
-            ));
+            let message = item.place.message(text);
+            item.context.report_key(
+                Diagnostic::error("bad-name", item.place.path.clone(), message)
+                    .help("choose another name, such as `crank_length`"),
+            );
         }
         // A number that is none keeps the engine from judging what follows from it.
         parameters.insert(name, item.value().unwrap_or(Value::Number(f64::NAN)));

@@ -42,6 +42,7 @@ pub(super) fn analysis(mut table: TableReader<'_>) -> AnalysisOptions {
         step: table.value("step"),
         tolerance: table.value("tolerance"),
         max_step: table.value("max_step"),
+        max_steps: table.optional("max_steps", Item::count),
         stabilization: table.optional("stabilization", |item| item.choice(&stabilizations)),
         baumgarte: table.optional("baumgarte", |item| item.pair(Item::value)),
         max_iterations: table.optional("max_iterations", Item::count),

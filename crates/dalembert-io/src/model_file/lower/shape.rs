@@ -81,7 +81,7 @@ fn polygon(item: &Item<'_>) -> Option<Vec<dalembert::model::Point>> {
     let points = item.list(|item| Some(item.point().unwrap_or_default()))?;
     let found = item.entries("a list")?.len();
     if found < 3 {
-        item.wrong_length("at least 3", found);
+        item.wrong_length("at least 3", found, "give the corners [[x, y], ...]");
     }
     Some(points)
 }
@@ -95,7 +95,7 @@ fn color(item: &Item<'_>) -> Option<String> {
     item.error(
         "bad-color",
         &format!("\"{text}\" is not a colour"),
-        Some("write \"#rrggbb\", for example \"#3070b0\"".to_owned()),
+        "write \"#rrggbb\", for example \"#3070b0\"",
     );
     None
 }

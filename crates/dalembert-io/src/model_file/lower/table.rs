@@ -1,10 +1,11 @@
 //! Functions given by points.
 
-use crate::model_file::csv_table;
+use crate::model_file::csv_table::{self, CsvError};
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
 use dalembert::model::{Interpolation, Table};
+use dalembert_expr::is_identifier;
 
 const INTERPOLATIONS: [(&str, Interpolation); 3] = [
     ("cubic", Interpolation::Cubic),
@@ -32,6 +33,18 @@ pub(super) fn lower(mut reader: TableReader<'_>) -> Table {
         x_unit: reader.optional("x_unit", Item::text),
         y_unit: reader.optional("y_unit", Item::text),
     };
+    // Every use of a table that has no name for expressions would be blamed again.
+    if !is_identifier(&table.name) {
+        reader.context().lost.set(true);
+        if let Some(item) = reader.item("name").filter(|_| !table.name.is_empty()) {
+            item.error(
+                "bad-name",
+                "a name for expressions starts with a letter and has letters (a to z, A to Z), \
+                 digits and underscores only",
+                "choose another name, such as `lift_curve`",
+            );
+        }
+    }
     let inline = reader.has("x") || reader.has("y");
     let help = "give `x` and `y`, or the name of a CSV `file` beside the model file";
     match (inline, reader.has("file")) {
@@ -58,7 +71,17 @@ pub(super) fn lower(mut reader: TableReader<'_>) -> Table {
                 drop(aliases);
                 match csv_table::read(item.context.folder, &file, &table) {
                     Ok((x, y)) => (table.x, table.y) = (x, y),
-                    Err(error) => item.error("csv", &error.to_string(), error.help()),
+                    Err(error) => {
+                        // A column that is not there is asked for where the columns are named.
+                        let asked = match error {
+                            CsvError::NoColumn { entry, .. } => reader
+                                .item("columns")
+                                .and_then(|i| i.entries("a list of 2")?.into_iter().nth(entry)),
+                            _ => None,
+                        };
+                        let blamed = asked.as_ref().unwrap_or(&item);
+                        blamed.error("csv", &error.to_string(), error.help());
+                    }
                 }
             }
         }
@@ -82,8 +105,9 @@ fn check_points(reader: &mut TableReader<'_>, help: &str) {
         return;
     };
     if arguments < 2 {
-        x.wrong_length("at least 2", arguments);
+        x.wrong_length("at least 2", arguments, "add points");
     } else if values != arguments {
-        y.wrong_length(&format!("{arguments} (as many as `x`)"), values);
+        let expected = format!("{arguments} (as many as `x`)");
+        y.wrong_length(&expected, values, "give every point both numbers");
     }
 }

@@ -61,7 +61,8 @@ fn unknown_patterns_get_suggestions() {
     assert!(error.suggestions.is_empty());
     assert_eq!(
         error.to_string(),
-        "no channel matches \"nothing_like_it_anywhere\""
+        "no channel matches \"nothing_like_it_anywhere\"; the channels are: time, crank.angle, \
+         crank.angular_velocity, rod.angle, A.force_x, A.force_y, odd*name, oddXname"
     );
 }
 

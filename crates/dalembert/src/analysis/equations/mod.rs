@@ -13,7 +13,8 @@ pub use labelled::{LabelledMatrix, LabelledVector};
 pub use report::{EquationsReport, IndependentEquations, Scalars};
 
 use super::AnalysisError;
-use crate::formulation::{Basis, Formulation, RowSpace};
+use super::least_reactions::LeastReactions;
+use crate::formulation::{Basis, Formulation};
 use crate::space::Planar;
 use crate::system::{State, System, Workspace};
 use coordinates::CoordinateTerms;
@@ -88,19 +89,15 @@ impl Equations {
         notes.violation(system, &ws, state);
         notes.moving(&time);
 
-        let not_unique = match RowSpace::new(&at.terms.jacobian, &at.terms.column_scale) {
-            Ok(space) => {
-                let open = space
-                    .unique
-                    .iter()
-                    .zip(&rows)
-                    .filter(|(unique, _)| !**unique);
-                open.map(|(_, row)| row.clone()).collect()
-            }
-            Err(_) => Vec::new(),
-        };
-        notes.redundant(&not_unique);
         let solution = Formulation::AugmentedDense.solve_terms(&at.terms);
+        let mut least = LeastReactions::new(system);
+        if let Ok(found) = &solution {
+            ws.lambda.copy_from_slice(&found.lambda);
+        }
+        least.settle(system, &mut ws);
+        notes.redundant(&least.not_unique(system));
+        let not_unique = (0..system.rows).filter(|&row| !least.unique(row));
+        let not_unique: Vec<String> = not_unique.map(|row| rows[row].clone()).collect();
         notes.solution(&solution, &names);
         let solution = solution.ok();
         let acceleration = solution.as_ref().map(|s| s.a.as_slice());
@@ -141,7 +138,7 @@ impl Equations {
                 .map(|s| over(&DVector::from_column_slice(&s.a))),
             multipliers: solution
                 .as_ref()
-                .map(|s| along(&DVector::from_column_slice(&s.lambda))),
+                .map(|_| along(&DVector::from_column_slice(&ws.lambda))),
             not_unique,
             momenta: over(&(&at.terms.mass * &at.velocities)),
             independent: independent.map(|found| found.equations(&at, self.basis, &names)),
@@ -154,11 +151,11 @@ impl Equations {
     fn preferred(&self, names: &[String]) -> Result<Vec<usize>, AnalysisError> {
         let find = |name: &String| {
             names.iter().position(|n| n == name).ok_or_else(|| {
-                let near = crate::text::nearest(name, names.iter().map(String::as_str));
+                let near = dalembert_expr::nearest(name, names.iter().map(String::as_str));
                 AnalysisError::BadName {
                     what: "independent coordinate",
                     name: name.clone(),
-                    detail: match near {
+                    detail: match near.first() {
                         Some(near) => format!("did you mean '{near}'?"),
                         None => format!("the coordinates are: {}", names.join(", ")),
                     },

@@ -1,5 +1,6 @@
 //! What a reader should know about the numbers.
 
+use crate::analysis::open_reactions::sentence;
 use crate::formulation::{Accelerations, FormulationError, MotionBasis};
 use crate::space::Planar;
 use crate::system::{State, System, Workspace};
@@ -52,13 +53,12 @@ impl Notes {
         }
     }
 
-    /// Multipliers that are not unique.
-    pub fn redundant(&mut self, rows: &[String]) {
-        if !rows.is_empty() {
-            self.lines.push(format!(
-                "constraints are redundant; these multipliers are not unique, one possible set is given: {}",
-                rows.join(", ")
-            ));
+    /// Elements whose multipliers are not unique.
+    pub fn redundant(&mut self, elements: &[&str]) {
+        if !elements.is_empty() {
+            let text = sentence(elements);
+            self.lines
+                .push(format!("warning: redundant constraints: {text}"));
         }
     }
 

@@ -208,9 +208,14 @@ impl fmt::Display for Conflict {
             names => write!(
                 f,
                 "{} cannot hold together near this pose",
-                super::dependence::list(names)
+                crate::words::listed(names)
             ),
         }?;
-        write!(f, " ({} is off by {:.3e})", self.worst, self.residual)
+        write!(
+            f,
+            " (at the best compromise {} is off by {})",
+            self.worst,
+            crate::words::readable(self.residual)
+        )
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::space::Planar;
 use crate::system::{Role, System};
+use crate::words::listed;
 use serde::Serialize;
 use std::fmt;
 
@@ -60,21 +61,6 @@ pub(super) fn role_name(role: Role) -> &'static str {
     }
 }
 
-/// "A, B and C", shortened where the list is long.
-pub(super) fn list(names: &[String]) -> String {
-    const MOST: usize = 10;
-    match names {
-        [] => "nothing".to_owned(),
-        [only] => only.clone(),
-        _ if names.len() > MOST => format!(
-            "{} and {} more",
-            names[..MOST].join(", "),
-            names.len() - MOST
-        ),
-        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
-    }
-}
-
 impl fmt::Display for Dependence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
@@ -87,7 +73,7 @@ impl fmt::Display for Dependence {
         } else if self.depends_on.is_empty() {
             f.write_str(" follows from the other rows")
         } else {
-            write!(f, " follows from {}", list(&self.depends_on))
+            write!(f, " follows from {}", listed(&self.depends_on))
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Free motions in words.
 
-use super::dependence::list;
 use crate::formulation::column_scale;
 use crate::space::{Planar, Space, Tuple};
 use crate::system::{Role, System, Workspace};
+use crate::words::listed;
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde::Serialize;
 use std::fmt;
@@ -43,7 +43,7 @@ struct Candidate {
 const SILENT: f64 = 1e-6;
 
 /// Describes free motions (columns of `motions`, user's units) at the markers of a workspace.
-pub(super) fn describe(
+pub(in crate::analysis) fn describe(
     system: &System<Planar>,
     ws: &Workspace<Planar>,
     motions: &DMatrix<f64>,
@@ -245,12 +245,12 @@ impl fmt::Display for FreeMotion {
                 .collect();
             let names: Vec<String> = self.bodies.iter().map(|b| b.body.clone()).collect();
             return match names.len() {
-                1 => write!(f, "body {} is free in {}", names[0], list(&suffixes)),
+                1 => write!(f, "body {} is free in {}", names[0], listed(&suffixes)),
                 _ => write!(
                     f,
                     "{} move together, free in {}",
-                    list(&names),
-                    list(&suffixes)
+                    listed(&names),
+                    listed(&suffixes)
                 ),
             };
         }
@@ -262,8 +262,9 @@ impl fmt::Display for FreeMotion {
         let words = match words.len() {
             0 => "no body moves".to_owned(),
             1..=8 => words.join(", "),
+            9 => format!("{} and 1 more body", words[..8].join(", ")),
             n => format!("{} and {} more bodies", words[..8].join(", "), n - 8),
         };
-        write!(f, "{}: {words}", list(&self.coordinates))
+        write!(f, "{}: {words}", listed(&self.coordinates))
     }
 }

@@ -16,6 +16,7 @@ mod text;
 pub use conflicts::{Conflict, conflicts};
 pub use dependence::Dependence;
 pub use driver_sweep::driver_singularities;
+pub(super) use free_motion::describe;
 pub use free_motion::{BodyMotion, FreeMotion};
 pub use massless::MasslessMotion;
 pub use report::{MobilityReport, Rank};

@@ -72,13 +72,21 @@ impl Ranked {
                 ws,
             });
         }
-        let jacobian = system.dense_jacobian(&ws);
+        // A row that vanishes is told from others by its size, which no unit may decide.
+        let mut jacobian = system.dense_jacobian(&ws);
+        for (row, mut gradient) in jacobian.row_iter_mut().enumerate() {
+            gradient /= system.row_scale(row);
+        }
         let found = analyse_rows(&jacobian, &column_scale(system), tolerance)
             .map_err(|e| blame(system, state, e))?;
         let redundant = found
             .redundant
             .iter()
-            .map(|r| (r.row, r.depends_on.clone()))
+            .map(|r| {
+                let own = system.row_scale(r.row);
+                let in_units = |&(row, c): &(usize, f64)| (row, c * own / system.row_scale(row));
+                (r.row, r.depends_on.iter().map(in_units).collect())
+            })
             .collect();
         Ok(Self {
             rank: found.rank,

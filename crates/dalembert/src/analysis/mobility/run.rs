@@ -169,7 +169,7 @@ impl Mobility {
             if part.unconnected() && system.bodies.len() > part.bodies.len() {
                 report.warnings.push(format!(
                     "nothing connects {} with the ground or the rest of the machine",
-                    super::dependence::list(&part.bodies)
+                    crate::words::listed(&part.bodies)
                 ));
             }
         }

@@ -32,7 +32,7 @@ pub struct SingularPose {
 
 impl fmt::Display for SingularPose {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let list = super::dependence::list;
+        let list = crate::words::listed;
         write!(f, "t = {:.6} s: ", self.time)?;
         match self.kind {
             SingularKind::DeadCentre => write!(

@@ -1,7 +1,7 @@
 //! The mobility report in words.
 
-use super::dependence::list;
 use super::{Dependence, FreeMotion, MobilityReport};
+use crate::words::listed;
 use std::fmt;
 
 fn plural(count: usize, one: &str, many: &str) -> String {
@@ -115,15 +115,15 @@ impl fmt::Display for MobilityReport {
             writeln!(
                 f,
                 "Reactions that are not unique: {}",
-                list(&self.reactions_not_unique)
+                listed(&self.reactions_not_unique)
             )?;
         }
         for motion in &self.massless {
             writeln!(
                 f,
                 "Masses are missing: nothing determines {}; give mass and inertia of {}, or hold {}",
-                list(&motion.coordinates),
-                list(&motion.bodies),
+                listed(&motion.coordinates),
+                listed(&motion.bodies),
                 if motion.bodies.len() == 1 {
                     "it"
                 } else {

@@ -17,7 +17,10 @@ pub(super) fn none(
 ) -> AnalysisError {
     let (coordinate, residual) = largest(problem, &last.unbalanced);
     let reason = reason(problem, estimate, last, &coordinate).unwrap_or_else(|| {
-        format!("{starts} starts did not lead to one; give another estimate, or check the loads")
+        format!(
+            "{} did not lead to one; give another estimate, or check the loads",
+            crate::words::counted(starts, "start")
+        )
     });
     AnalysisError::NoEquilibrium {
         coordinate,

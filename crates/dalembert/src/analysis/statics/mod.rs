@@ -2,6 +2,7 @@
 //! (Shabana 6.14).
 
 mod diagnosis;
+mod family;
 mod holding;
 mod motions;
 mod multipliers;
@@ -17,11 +18,13 @@ pub use report::{Equilibrium, StaticsReport};
 pub use stability::Stability;
 
 use super::newton::NewtonOptions;
+use super::open_reactions::OpenReactions;
 use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly};
 use crate::results::{Channel, Results};
 use crate::space::Planar;
 use crate::system::System;
+use family::connected;
 use motions::Motions;
 use nalgebra::DVector;
 use problem::Problem;
@@ -50,8 +53,9 @@ pub struct Statics {
     pub tolerance: f64,
     /// Most Newton iterations from one start.
     pub max_iterations: usize,
-    /// Further poses, spread over the free motions, from which equilibria are looked for.
-    pub starts: usize,
+    /// Further poses, spread over the free motions, from which equilibria are looked for; none given:
+    /// 24, and fewer for machines with more than 50 freedoms.
+    pub starts: Option<usize>,
     /// Seed of these poses: the same seed finds the same equilibria.
     pub seed: u64,
     /// Newton's options for the constraints.
@@ -64,7 +68,7 @@ impl Default for Statics {
             route: Route::default(),
             tolerance: 1e-10,
             max_iterations: 200,
-            starts: 24,
+            starts: None,
             seed: 1,
             newton: NewtonOptions::default(),
         }
@@ -76,6 +80,8 @@ const SAME: f64 = 1e-6;
 /// Unbalanced force, relative to the largest, at which the second route takes over from the walk
 /// downhill.
 const NEAR: f64 = 1e-2;
+/// Freedoms up to which unstable equilibria are looked for without being asked.
+const MANY: usize = 50;
 /// Most equilibria that are kept.
 const MOST: usize = 64;
 
@@ -84,6 +90,8 @@ struct Found {
     equilibria: Vec<Equilibrium>,
     /// Elastic energies, to tell poses apart that differ by whole turns.
     stored: Vec<f64>,
+    /// Numbers of neutral motions.
+    neutral: Vec<usize>,
     /// The largest force that any run met.
     scale: f64,
     /// Ways down from unstable equilibria that have not been tried.
@@ -103,12 +111,17 @@ impl Statics {
         let estimate = self.assemble(system, &mut problem)?;
         problem.evaluate(&estimate)?;
         let freedoms = Motions::new(&problem)?.basis.ncols();
+        // Machines with many freedoms have more unstable equilibria than anyone wants to read, and
+        // each run takes the cube of the freedoms.
+        let all = self.starts.is_some() || freedoms <= MANY;
+        let wanted = self.starts.unwrap_or(if all { 24 } else { 3 });
         let mut found = Found {
             equilibria: Vec::new(),
             stored: Vec::new(),
+            neutral: Vec::new(),
             scale: 0.0,
             exits: Vec::new(),
-            budget: self.starts.max(4),
+            budget: if all { wanted.max(4) } else { 0 },
         };
         // From the estimate itself errors count; from other poses they only mean that there is
         // nothing to be found that way.
@@ -119,14 +132,19 @@ impl Statics {
         }
         let mut starts = 1;
         let mut numbers = Numbers(self.seed);
-        let further = if freedoms == 0 { 0 } else { self.starts };
+        let further = if freedoms == 0 { 0 } else { wanted };
         for number in 0..further {
             let wanted = target(&problem, number, &mut numbers);
             let Ok(from) = wander(&mut problem, &estimate, &wanted) else {
                 continue;
             };
             starts += 1;
-            self.try_from(&mut problem, &mut found, &estimate, &from)?;
+            let goals: &[Goal] = if all {
+                &[Goal::Rest, Goal::Any]
+            } else {
+                &[Goal::Rest]
+            };
+            self.try_from(&mut problem, &mut found, &estimate, &from, goals)?;
             self.leave_unstable(&mut problem, &mut found, &estimate)?;
         }
         self.leave_unstable(&mut problem, &mut found, &estimate)?;
@@ -137,7 +155,12 @@ impl Statics {
         equilibria.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         let chief = chief(&equilibria);
         equilibria[..=chief].rotate_right(1);
-        let results = record(&mut problem, &equilibria)?;
+        let mut results = record(&mut problem, &equilibria)?;
+        if !all {
+            results.notes.push(format!(
+                "the machine has {freedoms} freedoms: further poses at which it comes to rest were looked for from {further} poses only, unstable ones not at all; set the number of starts to look for more"
+            ));
+        }
         Ok(StaticsReport {
             time: problem.time(),
             equilibria,
@@ -191,9 +214,10 @@ impl Statics {
         found: &mut Found,
         estimate: &[f64],
         from: &[f64],
+        goals: &[Goal],
     ) -> Result<(), AnalysisError> {
-        for goal in [Goal::Rest, Goal::Any] {
-            if let Ok(solution) = self.solve(problem, from, goal) {
+        for goal in goals {
+            if let Ok(solution) = self.solve(problem, from, *goal) {
                 self.keep(problem, found, estimate, &solution)?;
             }
         }
@@ -212,7 +236,8 @@ impl Statics {
         {
             found.budget -= 1;
             if let Ok(from) = wander(problem, &q, &way) {
-                self.try_from(problem, found, estimate, &from)?;
+                let goals = [Goal::Rest, Goal::Any];
+                self.try_from(problem, found, estimate, &from, &goals)?;
             }
         }
         Ok(())
@@ -230,25 +255,29 @@ impl Statics {
         }
         let verdict = judge(problem, solution)?;
         problem.evaluate(&solution.q)?;
+        let multipliers = problem.least_multipliers(&solution.lambda);
         let (stored, potential) = (problem.stored(), problem.potential());
         found.scale = found.scale.max(solution.scale);
         let scale = found.scale;
         let same = |x: f64, y: f64| (x - y).abs() <= 1e-8 * (scale + x.abs());
-        let known = found
-            .equilibria
-            .iter()
-            .zip(&found.stored)
-            .any(|(e, energy)| {
-                let neutral =
-                    e.stability == Stability::Neutral && verdict.stability == Stability::Neutral;
-                // Along a neutral motion every pose is an equilibrium, of the same energy: one of
-                // them stands for all.
-                if neutral {
-                    same(e.potential, potential)
-                } else {
-                    distance(problem, &e.q, &solution.q) < SAME && same(*energy, stored)
-                }
-            });
+        let settle = |problem: &mut Problem<'_>, q: &[f64]| {
+            reduced::solve(problem, q, Goal::Any, self.tolerance, self.max_iterations)
+        };
+        let mut known = false;
+        for (k, e) in found.equilibria.iter().enumerate() {
+            // Along a neutral motion every pose is an equilibrium, of the same energy: one of them
+            // stands for all.
+            known = if verdict.neutral > 0 && found.neutral[k] == verdict.neutral {
+                same(e.potential, potential)
+                    && (connected(problem, &e.q, &solution.q, &settle)
+                        || connected(problem, &solution.q, &e.q, &settle))
+            } else {
+                distance(problem, &e.q, &solution.q) < SAME && same(found.stored[k], stored)
+            };
+            if known {
+                break;
+            }
+        }
         if known {
             return Ok(());
         }
@@ -260,14 +289,10 @@ impl Statics {
             found.exits.push((solution.q.clone(), push));
         }
         found.stored.push(stored);
+        found.neutral.push(verdict.neutral);
         found.equilibria.push(Equilibrium {
             q: solution.q.clone(),
-            multipliers: solution
-                .lambda
-                .iter()
-                .zip(problem.row_unit.iter())
-                .map(|(l, u)| l / u)
-                .collect(),
+            multipliers,
             stability: verdict.stability,
             stiffness: verdict.eigenvalues,
             conservative: verdict.symmetric,
@@ -296,9 +321,9 @@ fn chief(equilibria: &[Equilibrium]) -> usize {
 /// One instant for each equilibrium.
 fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Results, AnalysisError> {
     let mut recorder = Recorder::new(true);
-    let mut not_unique: Vec<&str> = Vec::new();
+    let mut open = OpenReactions::default();
     let system = problem.system;
-    for e in equilibria {
+    for (k, e) in equilibria.iter().enumerate() {
         problem.evaluate(&e.q)?;
         problem.ws.a.fill(0.0);
         problem.ws.lambda.copy_from_slice(&e.multipliers);
@@ -308,13 +333,9 @@ fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Resul
             v: vec![0.0; e.q.len()],
         };
         recorder.record(system, &problem.ws, &state, Extra::default());
-        let motions = Motions::new(problem)?;
-        for (row, r) in system.row_refs().iter().enumerate() {
-            let name = system.elements[r.element].name.as_str();
-            if !motions.unique(row) && !not_unique.contains(&name) {
-                not_unique.push(name);
-            }
-        }
+        open.pose(&problem.not_unique(), || {
+            format!("at equilibrium {}", k + 1)
+        });
     }
     let mut results = recorder.into_results(&system.name, "statics");
     let mut put = |name: &str, unit: &str, meaning: &str, value: &dyn Fn(usize) -> f64| {
@@ -351,12 +372,7 @@ fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Resul
     results
         .statistics
         .insert("residual".to_owned(), first.residual);
-    if !not_unique.is_empty() {
-        results.notes.push(format!(
-            "redundant constraints: the reactions of {} are not unique; one possible set is given",
-            not_unique.join(", ")
-        ));
-    }
+    results.notes.extend(open.notes());
     for (k, e) in equilibria.iter().enumerate() {
         if !e.conservative {
             results.notes.push(format!(

@@ -1,6 +1,8 @@
 //! A machine at rest, evaluated in comparable units.
 
 use crate::analysis::AnalysisError;
+use crate::analysis::least_reactions::LeastReactions;
+use crate::analysis::meeting::Meeting;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
 use crate::solve::RankError;
@@ -26,6 +28,8 @@ pub(super) struct Problem<'a> {
     pub row_unit: DVector<f64>,
     pub newton: NewtonOptions,
     weights: Weights,
+    least: LeastReactions,
+    meeting: Meeting,
     state: State,
     trial: Vec<f64>,
 }
@@ -43,6 +47,8 @@ impl<'a> Problem<'a> {
             row_unit: DVector::from_fn(system.rows, |row, _| system.row_scale(row)),
             newton,
             weights: Weights::even(system),
+            least: LeastReactions::new(system),
+            meeting: Meeting::new(system),
             state: State {
                 t: system.estimate.t,
                 q: vec![0.0; system.nq()],
@@ -81,6 +87,7 @@ impl<'a> Problem<'a> {
     /// Markers, constraints and forces at a pose, all velocities zero.
     pub fn evaluate(&mut self, q: &[f64]) -> Result<(), AnalysisError> {
         self.system.update_markers(q, &self.state.v, &mut self.ws);
+        self.meeting.check(self.system, &self.ws, self.state.t)?;
         self.system.evaluate_constraints(self.state.t, &mut self.ws);
         self.system.evaluate_forces(self.state.t, &mut self.ws);
         let ws = &self.ws;
@@ -188,6 +195,59 @@ impl<'a> Problem<'a> {
     /// The scaled applied forces.
     pub fn forces(&self) -> DVector<f64> {
         DVector::from_fn(self.ws.force.len(), |k, _| self.ws.force[k] * self.unit[k])
+    }
+
+    /// Multipliers and unbalanced force, both scaled, of the evaluated pose: the force that is left
+    /// in the free motions, by the sparse solver. `None` where rows depend on each other.
+    pub fn balance(&mut self) -> Option<(DVector<f64>, DVector<f64>)> {
+        let factored = self.ws.factor(&self.weights.inverse);
+        if !factored.vanished.is_empty() || !factored.zero.is_empty() {
+            return None;
+        }
+        self.ws.rhs.fill(0.0);
+        if !self.ws.solve_forces(&self.weights.blocks).converged {
+            return None;
+        }
+        let lambda = self.ws.lambda.iter().zip(&self.row_unit);
+        let lambda = DVector::from_iterator(self.system.rows, lambda.map(|(l, u)| l * u));
+        let unbalanced = self.unbalanced(&lambda);
+        Some((lambda, unbalanced))
+    }
+
+    /// The free motion at the evaluated pose that comes nearest to a wanted scaled step, each
+    /// coordinate of a body counting by its weight.
+    pub fn nearest_motion(&mut self, wanted: &DVector<f64>, weight: &DVector<f64>) -> DVector<f64> {
+        let bodies = self.system.bodies.len();
+        let (mut blocks, mut inverse) = (vec![0.0; 9 * bodies], vec![0.0; 9 * bodies]);
+        let mut f = vec![0.0; self.system.nv()];
+        for k in 0..3 * bodies {
+            let w = weight[k] / (self.unit[k] * self.unit[k]);
+            blocks[3 * k + k % 3] = w;
+            inverse[3 * k + k % 3] = 1.0 / w;
+            f[k] = w * wanted[k] * self.unit[k];
+        }
+        self.ws.factor(&inverse);
+        self.ws.rhs.fill(0.0);
+        self.ws.solve(&blocks, &f);
+        DVector::from_fn(self.unit.len(), |k, _| self.ws.a[k] / self.unit[k])
+    }
+
+    /// Of the sets of multipliers (scaled; the answer is not) that balance the same forces at the
+    /// evaluated pose, the least one.
+    pub fn least_multipliers(&mut self, lambda: &DVector<f64>) -> Vec<f64> {
+        for ((to, l), u) in self.ws.lambda.iter_mut().zip(lambda).zip(&self.row_unit) {
+            *to = l / u;
+        }
+        self.least.settle(self.system, &mut self.ws);
+        self.ws.lambda.clone()
+    }
+
+    /// Names of the elements whose reactions are not unique at the evaluated pose.
+    pub fn not_unique(&mut self) -> Vec<&'a str> {
+        let lambda = self.ws.lambda.clone();
+        self.least.settle(self.system, &mut self.ws);
+        self.ws.lambda = lambda;
+        self.least.not_unique(self.system)
     }
 
     /// The scaled unbalanced force F = Q_e - C_q^T lambda at the evaluated pose (Shabana 6.171).

@@ -5,6 +5,8 @@ use super::problem::{Problem, step_limit};
 use super::solution::{Goal, Solution};
 use crate::analysis::AnalysisError;
 use crate::solve::rank::Svd;
+use faer::Mat;
+use faer::linalg::solvers::DenseSolveCore;
 use nalgebra::{DMatrix, DVector};
 
 /// Curvatures below this part of the largest are treated as flat.
@@ -15,30 +17,30 @@ const POLISHING: usize = 6;
 /// What is known at a pose on the constraints.
 struct Point {
     q: Vec<f64>,
-    motions: Motions,
     lambda: DVector<f64>,
-    /// Unbalanced force in the free motions.
-    residual: DVector<f64>,
+    /// Unbalanced force in the free motions, in scaled coordinates.
+    unbalanced: DVector<f64>,
     scale: f64,
 }
 
 impl Point {
     fn new(problem: &mut Problem<'_>, q: Vec<f64>) -> Result<Self, AnalysisError> {
         problem.evaluate(&q)?;
-        let motions = Motions::new(problem)?;
-        let force = problem.forces();
+        let (lambda, unbalanced) = match problem.balance() {
+            Some(found) => found,
+            None => {
+                let motions = Motions::new(problem)?;
+                let force = problem.forces();
+                let unbalanced = &motions.basis * motions.basis.tr_mul(&force);
+                (motions.multipliers(&force), unbalanced)
+            }
+        };
         Ok(Self {
-            lambda: motions.multipliers(&force),
-            residual: motions.basis.transpose() * force,
             scale: problem.force_scale(),
-            motions,
+            lambda,
+            unbalanced,
             q,
         })
-    }
-
-    /// The unbalanced force in scaled coordinates.
-    fn unbalanced(&self) -> DVector<f64> {
-        &self.motions.basis * &self.residual
     }
 }
 
@@ -57,21 +59,24 @@ pub(super) fn solve(
     let mut scale = at.scale;
     let (mut iterations, mut polished, mut tiny_step) = (0, 0, false);
     loop {
-        let size = at.residual.norm();
+        let size = at.unbalanced.norm();
         let met = size <= tolerance * scale || tiny_step;
         if size == 0.0 || (met && polished >= POLISHING) || iterations >= max_iterations {
             return Ok(finish(at, scale, iterations, met || size == 0.0));
         }
-        let k = problem.stiffness(&at.q, &at.lambda, &at.motions.basis)?;
-        let k = at.motions.basis.transpose() * k;
+        problem.evaluate(&at.q)?;
+        let basis = Motions::new(problem)?.basis;
+        let residual = basis.tr_mul(&at.unbalanced);
+        let k = problem.stiffness(&at.q, &at.lambda, &basis)?;
+        let k = basis.transpose() * k;
         let step = match goal {
-            _ if met => newton(problem, &k, &at.residual)?,
-            Goal::Any => newton(problem, &k, &at.residual)?,
-            Goal::Rest => downhill(problem, &k, &at.residual, scale)?,
+            _ if met => newton(problem, &k, &residual)?,
+            Goal::Any => newton(problem, &k, &residual)?,
+            Goal::Rest => downhill(problem, &k, &residual, scale)?,
         };
         // A singular stiffness that cannot answer the force gives a small step as well.
-        let answers = (&k * &step - &at.residual).norm() <= 1e-3 * size;
-        let step = &at.motions.basis * step;
+        let answers = (&k * &step - &residual).norm() <= 1e-3 * residual.norm();
+        let step = &basis * step;
         iterations += 1;
         let mut factor = step_limit(problem.system, &step);
         let full = factor == 1.0;
@@ -92,7 +97,8 @@ pub(super) fn solve(
             Some(next) => {
                 // A whole Newton step that does not move anything: the residual is rounding, also
                 // where no force gives it a scale (a spring at its free length).
-                tiny_step = full && answers && step.amax() <= 1e-10 && next.residual.norm() <= size;
+                tiny_step =
+                    full && answers && step.amax() <= 1e-10 && next.unbalanced.norm() <= size;
                 at = next;
                 scale = scale.max(at.scale);
                 polished += usize::from(met);
@@ -103,9 +109,9 @@ pub(super) fn solve(
 }
 
 fn finish(at: Point, scale: f64, iterations: usize, converged: bool) -> Solution {
-    let size = at.residual.norm();
+    let size = at.unbalanced.norm();
     Solution {
-        unbalanced: at.unbalanced(),
+        unbalanced: at.unbalanced,
         residual: if scale > 0.0 { size / scale } else { size },
         q: at.q,
         lambda: at.lambda,
@@ -128,7 +134,7 @@ fn try_step(
 }
 
 fn accepted(goal: Goal, met: bool, at: &Point, next: &Point, step: &DVector<f64>) -> bool {
-    let (old, new) = (at.residual.norm(), next.residual.norm());
+    let (old, new) = (at.unbalanced.norm(), next.unbalanced.norm());
     if met {
         return new < 0.5 * old;
     }
@@ -137,8 +143,8 @@ fn accepted(goal: Goal, met: bool, at: &Point, next: &Point, step: &DVector<f64>
         // The forces must still do work along the step, or at its end oppose it less than they
         // drove it at its start: then more work was done than undone, without knowing a potential.
         Goal::Rest => {
-            let work = at.unbalanced().dot(step);
-            let end = next.unbalanced().dot(step);
+            let work = at.unbalanced.dot(step);
+            let end = next.unbalanced.dot(step);
             new < old || end >= -0.7 * work
         }
     }
@@ -161,6 +167,9 @@ pub(super) fn least_squares(
     b: &DVector<f64>,
     tolerance: f64,
 ) -> Result<DVector<f64>, AnalysisError> {
+    if let Some(x) = regular(a, b, tolerance) {
+        return Ok(x);
+    }
     let svd = Svd::new(a).map_err(|e| problem.rank_error(e))?;
     let rank = svd.rank(tolerance);
     let mut part = svd.u.columns(0, rank).transpose() * b;
@@ -168,6 +177,28 @@ pub(super) fn least_squares(
         *x /= s;
     }
     Ok(svd.v.columns(0, rank) * part)
+}
+
+/// Solves a square system by elimination, several times faster than by singular values, where the
+/// smallest of these, which is not below 1 / |A^-1|, is far from zero.
+fn regular(a: &DMatrix<f64>, b: &DVector<f64>, tolerance: f64) -> Option<DVector<f64>> {
+    let n = a.nrows();
+    if n == 0 || n != a.ncols() || a.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let inverse = Mat::from_fn(n, n, |i, j| a[(i, j)])
+        .partial_piv_lu()
+        .inverse();
+    let inverse = DMatrix::from_fn(n, n, |i, j| inverse[(i, j)]);
+    // A comparison that is false for NaN.
+    let far = inverse.norm() * a.norm() < 0.1 / tolerance;
+    if !far {
+        return None;
+    }
+    let mut x = &inverse * b;
+    // The inverse has lost some digits; once is enough for those.
+    x += &inverse * (b - a * &x);
+    Some(x)
 }
 
 /// A step along which the forces do work, of Newton's length in every principal direction of the

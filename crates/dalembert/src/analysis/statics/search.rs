@@ -1,9 +1,8 @@
 //! Poses from which equilibria are looked for.
 
-use super::motions::Motions;
 use super::problem::{Problem, step_limit};
 use crate::analysis::AnalysisError;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use std::f64::consts::PI;
 
 /// A small generator of repeatable numbers (splitmix64, Steele, Lea and Flood 2014).
@@ -27,6 +26,15 @@ impl Numbers {
 /// turn, and would hardly leave the pose if their moves counted alike. Bodies on slides move.
 const MOVE_WEIGHT: f64 = 0.05;
 
+/// How much each scaled coordinate counts on a way along the free motions.
+pub(super) fn weights(problem: &Problem<'_>) -> DVector<f64> {
+    let bodies = problem.system.bodies.len();
+    DVector::from_fn(problem.unit.len(), |k, _| {
+        let turn = k >= 3 * bodies || k % 3 == 2;
+        if turn { 1.0 } else { MOVE_WEIGHT * MOVE_WEIGHT }
+    })
+}
+
 /// A pose some way along the free motions from another.
 ///
 /// Each body is asked to turn and move by a target of its own; the free motions follow as far as the
@@ -39,24 +47,13 @@ pub(super) fn wander(
 ) -> Result<Vec<f64>, AnalysisError> {
     let mut q = from.to_vec();
     let mut left = target.clone();
-    let bodies = problem.system.bodies.len();
-    let weights = DVector::from_fn(left.len(), |k, _| {
-        let turn = k >= 3 * bodies || k % 3 == 2;
-        if turn { 1.0 } else { MOVE_WEIGHT * MOVE_WEIGHT }
-    });
+    let weights = weights(problem);
     // Half a radian a step: a whole turn of the fastest body takes some 13.
     for _ in 0..40 {
         problem.evaluate(&q)?;
-        let basis = Motions::new(problem)?.basis;
-        let weighted = DMatrix::from_fn(basis.nrows(), basis.ncols(), |i, j| {
-            weights[i] * basis[(i, j)]
-        });
-        // B^T W B is positive definite: B has orthonormal columns and W positive weights.
-        let Some(normal) = (basis.transpose() * &weighted).cholesky() else {
-            break;
-        };
-        let step = &basis * normal.solve(&(weighted.transpose() * &left));
-        if step.amax() < 1e-3 {
+        let step = problem.nearest_motion(&left, &weights);
+        // Also where it is not finite.
+        if step.amax().is_nan() || step.amax() < 1e-3 {
             break;
         }
         let factor = step_limit(problem.system, &step);

@@ -4,10 +4,11 @@ use super::motions::Motions;
 use super::problem::Problem;
 use super::solution::Solution;
 use crate::analysis::AnalysisError;
+use crate::analysis::mobility::{FreeMotion, describe};
 use crate::solve::RankError;
 use crate::space::Planar;
 use crate::system::System;
-use nalgebra::linalg::SymmetricEigen;
+use faer::{Mat, Side};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -31,6 +32,8 @@ pub(super) struct Verdict {
     pub eigenvalues: Vec<f64>,
     /// Is K_r symmetric to the accuracy of its differences?
     pub symmetric: bool,
+    /// Number of neutral motions.
+    pub neutral: usize,
     /// Neutral and unstable motions in words.
     pub motions: Vec<String>,
     /// The motion that is pushed away hardest, scaled.
@@ -54,7 +57,13 @@ pub(super) fn judge(
     let asymmetry = (&k - k.transpose()).amax();
     let (values, vectors) = principal(problem, &k)?;
     let zero = NEUTRAL.0 * scale + NEUTRAL.1 * values.amax();
+    // A machine without any force has zero stiffness and a zero threshold.
+    let flat: Vec<usize> = (0..values.len())
+        .filter(|&j| values[j].abs() <= zero)
+        .collect();
+    let neutral = &motions.basis * vectors.select_columns(&flat);
     let mut verdict = Verdict {
+        neutral: flat.len(),
         stability: Stability::Stable,
         symmetric: asymmetry <= 1e-6 * k.amax() + NEUTRAL.0 * scale,
         eigenvalues: values.iter().copied().collect(),
@@ -62,24 +71,69 @@ pub(super) fn judge(
         away: None,
     };
     for (j, h) in values.iter().enumerate() {
-        // A machine without any force has zero stiffness and a zero threshold.
-        if *h > zero {
+        if *h >= -zero {
             continue;
         }
         let motion = &motions.basis * vectors.column(j);
         let text = in_words(problem.system, &motion);
-        if *h < -zero {
-            verdict.stability = Stability::Unstable;
-            verdict.motions.push(format!("unstable: {text}"));
-            verdict.away.get_or_insert(motion);
-        } else {
-            if verdict.stability == Stability::Stable {
-                verdict.stability = Stability::Neutral;
-            }
-            verdict.motions.push(format!("neutral: {text}"));
+        verdict.stability = Stability::Unstable;
+        verdict.motions.push(format!("unstable: {text}"));
+        verdict.away.get_or_insert(motion);
+    }
+    if verdict.neutral > 0 {
+        if verdict.stability == Stability::Stable {
+            verdict.stability = Stability::Neutral;
         }
+        problem.evaluate(&solution.q)?;
+        verdict.motions.extend(along(problem, neutral));
     }
     Ok(verdict)
+}
+
+/// The neutral motions of an equilibrium, orthonormal in scaled coordinates.
+pub(super) fn neutral_motions(
+    problem: &mut Problem<'_>,
+    q: &[f64],
+) -> Result<DMatrix<f64>, AnalysisError> {
+    problem.evaluate(q)?;
+    let motions = Motions::new(problem)?;
+    let scale = problem.force_scale();
+    let lambda = motions.multipliers(&problem.forces());
+    let k = problem.stiffness(q, &lambda, &motions.basis)?;
+    let (values, vectors) = principal(problem, &(motions.basis.transpose() * k))?;
+    let zero = NEUTRAL.0 * scale + NEUTRAL.1 * values.amax();
+    let flat: Vec<usize> = (0..values.len())
+        .filter(|&j| values[j].abs() <= zero)
+        .collect();
+    Ok(motions.basis * vectors.select_columns(&flat))
+}
+
+/// Neutral motions (scaled, at the evaluated pose) by the names of coordinates that can be chosen at
+/// will, and the bodies that move with them.
+fn along(problem: &Problem<'_>, mut neutral: DMatrix<f64>) -> Vec<String> {
+    for (mut row, unit) in neutral.row_iter_mut().zip(problem.unit.iter()) {
+        row *= *unit;
+    }
+    let found = describe(problem.system, &problem.ws, &neutral);
+    let words = |m: &FreeMotion| {
+        let mut bodies: Vec<String> = m
+            .bodies
+            .iter()
+            .take(6)
+            .map(|b| format!("{} {}", b.body, b.motion))
+            .collect();
+        if m.bodies.len() > 6 {
+            let more = m.bodies.len() - 6;
+            let (s, verb) = if more == 1 { ("y", "s") } else { ("ies", "") };
+            bodies.push(format!("{more} more bod{s} move{verb}"));
+        }
+        format!(
+            "neutral along {}: {}",
+            m.coordinates.join(", "),
+            bodies.join(", ")
+        )
+    };
+    found.iter().map(words).collect()
 }
 
 /// Eigenvalues, ascending, and eigenvectors of the symmetric part of a matrix.
@@ -95,13 +149,13 @@ pub(super) fn principal(
     if symmetric.iter().any(|x| !x.is_finite()) {
         return Err(problem.rank_error(RankError::NoConvergence));
     }
-    let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, 100 * n.max(1))
-        .ok_or_else(|| problem.rank_error(RankError::NoConvergence))?;
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+    let eigen = Mat::from_fn(n, n, |i, j| symmetric[(i, j)])
+        .self_adjoint_eigen(Side::Lower)
+        .map_err(|_| problem.rank_error(RankError::NoConvergence))?;
+    let (values, vectors) = (eigen.S(), eigen.U());
     Ok((
-        DVector::from_fn(n, |i, _| eigen.eigenvalues[order[i]]),
-        DMatrix::from_fn(n, n, |i, j| eigen.eigenvectors[(i, order[j])]),
+        DVector::from_fn(n, |i, _| values[i]),
+        DMatrix::from_fn(n, n, |i, j| vectors[(i, j)]),
     ))
 }
 
@@ -131,7 +185,10 @@ pub(super) fn in_words(system: &System<Planar>, motion: &DVector<f64>) -> String
     parts.truncate(6);
     let mut words: Vec<String> = parts.into_iter().map(|p| p.1).collect();
     if more > 0 {
-        words.push(format!("{more} more bodies move"));
+        words.push(match more {
+            1 => "1 more body moves".to_owned(),
+            n => format!("{n} more bodies move"),
+        });
     }
     words.join(", ")
 }

@@ -3,11 +3,11 @@
 use super::context::{BodyPlace, Context, GlobalMeasure, rotate};
 use super::names::Property;
 use super::place::Place;
-use crate::joint::{MeasureKind, MeasureRow, MeasureRows};
+use crate::joint::{MeasureRow, MeasureRows, PlanarMeasure};
 use crate::model::CoordinateName;
 use crate::signal::SignalKind;
 use crate::space::PlanarFrame;
-use crate::system::{BodyData, ElementData, Phase, Role, System, TraceData};
+use crate::system::{BodyData, ElementData, Metric, Phase, Role, System, TraceData};
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 use smallvec::{SmallVec, smallvec};
@@ -100,9 +100,9 @@ impl Context<'_> {
 
     fn hold(&mut self, body: &str, name: CoordinateName, marker: usize, place: &Place) {
         let (kind, label) = match name {
-            CoordinateName::X => (MeasureKind::GroundX, "x"),
-            CoordinateName::Y => (MeasureKind::GroundY, "y"),
-            CoordinateName::Angle => (MeasureKind::Angle, "angle"),
+            CoordinateName::X => (PlanarMeasure::GroundX, "x"),
+            CoordinateName::Y => (PlanarMeasure::GroundY, "y"),
+            CoordinateName::Angle => (PlanarMeasure::Angle, "angle"),
         };
         let measure = GlobalMeasure {
             kind,
@@ -153,6 +153,7 @@ impl Context<'_> {
             axes_marker: 0,
             coordinates: SmallVec::new(),
             auxiliary_start: SmallVec::new(),
+            scale: 1.0,
             bodies: SmallVec::new(),
             slots: SmallVec::new(),
             rows: 0..0,
@@ -172,7 +173,7 @@ impl Context<'_> {
             },
             dim,
         };
-        use MeasureKind::{Angle, GroundX, GroundY};
+        use PlanarMeasure::{Angle, GroundX, GroundY};
         use SignalKind::{Rate, Value};
         self.properties.insert(
             name.to_owned(),
@@ -214,21 +215,16 @@ impl Context<'_> {
 }
 
 impl System<crate::space::Planar> {
-    /// Inverts the mass blocks and weighs the bodies.
+    /// Weighs the bodies and makes the masses regular; the size is set.
     pub(super) fn set_masses(&mut self) {
-        self.mass_inverse = vec![0.0; self.mass.len()];
         self.weight = vec![0.0; 3 * self.bodies.len()];
         for b in 0..self.bodies.len() {
             let block = &self.mass[9 * b..9 * b + 9];
-            for k in [0, 4, 8] {
-                if block[k] > 0.0 {
-                    self.mass_inverse[9 * b + k] = 1.0 / block[k];
-                }
-            }
             self.weight[3 * b] = block[0] * self.gravity[0];
             self.weight[3 * b + 1] = block[0] * self.gravity[1];
         }
         self.massless = self.bodies.iter().any(|b| b.massless);
+        self.metric = Metric::new(self);
     }
 
     /// The characteristic length: the farthest reach of a marker from its body's centre, or, where

@@ -22,7 +22,7 @@ impl Built {
     pub fn rows(
         kind: &'static str,
         markers: [usize; 2],
-        rows: SmallVec<[MeasureRow; 3]>,
+        rows: SmallVec<[MeasureRow; 2]>,
         coordinates: SmallVec<[Coordinate; 2]>,
     ) -> Self {
         Self {

@@ -162,7 +162,7 @@ pub(super) fn measure_rows(
                 markers.len() - 1
             })
     };
-    let terms: SmallVec<[MeasureTerm; 2]> = terms
+    let terms: SmallVec<[MeasureTerm; 1]> = terms
         .iter()
         .map(|&(factor, m)| MeasureTerm {
             factor,

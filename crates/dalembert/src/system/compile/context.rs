@@ -4,7 +4,7 @@ use super::names::{ConstantScope, Property, StateScope};
 use super::place::Place;
 use super::{Compiled, Options};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::joint::{Measure, MeasureKind, TimeFunction};
+use crate::joint::{Measure, PlanarMeasure, TimeFunction};
 use crate::model::{GROUND, Model, Point, Value};
 use crate::signal::{Coefficient, MAX_INPUTS, Signal, SignalKind};
 use crate::space::{Planar, PlanarFrame, PlanarMarker, Space};
@@ -40,7 +40,7 @@ pub(super) struct JointPlace {
 /// A measure between two markers of the system.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct GlobalMeasure {
-    pub kind: MeasureKind,
+    pub kind: PlanarMeasure,
     pub first: usize,
     pub second: usize,
 }
@@ -124,11 +124,40 @@ impl<'m> Context<'m> {
 
     pub fn report_expression(&mut self, owner: &str, path: &str, errors: Vec<ExprError>) {
         for e in errors {
-            let mut d = Diagnostic::error(e.code, path, format!("{owner}: {}", e.message));
-            d.span = Some(e.span);
-            d.help = e.help;
-            self.report(d);
+            let message = format!("{owner}: {}", e.message);
+            self.report(
+                Diagnostic::error(e.code, path, message)
+                    .span(e.span)
+                    .help(e.help),
+            );
         }
+    }
+
+    /// A compiled expression; reports its mistakes, or what is doubtful in it.
+    pub fn accept(
+        &mut self,
+        compiled: Result<Program, Vec<ExprError>>,
+        owner: &str,
+        path: &str,
+    ) -> Option<Program> {
+        let program = match compiled {
+            Ok(program) => program,
+            Err(errors) => {
+                self.report_expression(owner, path, errors);
+                return None;
+            }
+        };
+        for e in program.doubts() {
+            let message = format!("{owner}: {}", e.message);
+            let doubt = Diagnostic::warning(e.code, path, message)
+                .span(e.span.clone())
+                .help(e.help.as_str());
+            // Some values are read twice, for the machine and for its picture.
+            if !self.diagnostics.contains(&doubt) {
+                self.report(doubt);
+            }
+        }
+        Some(program)
     }
 
     /// A constant of a dimension. None after a mistake, which is then reported.
@@ -150,15 +179,13 @@ impl<'m> Context<'m> {
                     parameters: &self.parameters,
                     functions: &self.functions,
                 };
-                match dalembert_expr::compile(text, &scope, quantity) {
-                    // Only stand-ins have slots here.
-                    Ok(program) if !program.slots().is_empty() => return None,
-                    Ok(program) => program.constant().unwrap_or_else(|| program.eval(&[])),
-                    Err(errors) => {
-                        self.report_expression(owner, path, errors);
-                        return None;
-                    }
+                let compiled = dalembert_expr::compile(text, &scope, quantity);
+                let program = self.accept(compiled, owner, path)?;
+                // Only stand-ins have slots here.
+                if !program.slots().is_empty() {
+                    return None;
                 }
+                program.constant().unwrap_or_else(|| program.eval(&[]))
             }
         };
         if x.is_nan() && self.stand_ins {
@@ -338,7 +365,7 @@ impl<'m> Context<'m> {
                 let program = self.time_program(value, dim, owner, path)?;
                 Some(match program.constant() {
                     Some(x) => TimeFunction::Constant(x),
-                    None => TimeFunction::Expression(program),
+                    None => TimeFunction::Expression(Box::new(program)),
                 })
             }
         }
@@ -361,13 +388,7 @@ impl<'m> Context<'m> {
             &none_spoilt,
         );
         let compiled = dalembert_expr::compile(&text, &scope, Quantity::Known(dim));
-        match compiled {
-            Ok(program) => Some(program),
-            Err(errors) => {
-                self.report_expression(owner, path, errors);
-                None
-            }
-        }
+        self.accept(compiled, owner, path)
     }
 
     /// A program of time and of quantities of elements; its inputs refer to `markers`, which grows
@@ -389,13 +410,7 @@ impl<'m> Context<'m> {
         );
         let compiled = dalembert_expr::compile(&text, &scope, dim);
         let used = scope.into_used();
-        let program = match compiled {
-            Ok(program) => program,
-            Err(errors) => {
-                self.report_expression(owner, path, errors);
-                return None;
-            }
-        };
+        let program = self.accept(compiled, owner, path)?;
         if program.slots().len() > MAX_INPUTS {
             self.report(
                 Diagnostic::error(
@@ -423,7 +438,7 @@ impl<'m> Context<'m> {
                 let (kind, m) = used[slot];
                 let measure = if kind == SignalKind::Time {
                     Measure {
-                        kind: MeasureKind::Angle,
+                        kind: PlanarMeasure::Angle,
                         first: 0,
                         second: 0,
                     }
@@ -504,8 +519,9 @@ impl<'m> Context<'m> {
         };
         system.position_weight = self.position_weight;
         system.velocity_weight = self.velocity_weight;
-        system.set_masses();
         system.set_size();
+        system.set_masses();
+        system.set_row_scales();
         drawing.add_elements(&system, &outlines);
         Ok(Compiled {
             drawing,
@@ -537,5 +553,7 @@ pub(super) fn rotate(angle: f64, a: &Vector2<f64>) -> Vector2<f64> {
 
 /// "did you mean 'crank'?", where a known name is near.
 pub(super) fn suggestion(name: &str, known: &[&str]) -> Option<String> {
-    crate::text::nearest(name, known.iter().copied()).map(|best| format!("did you mean '{best}'?"))
+    dalembert_expr::nearest(name, known.iter().copied())
+        .first()
+        .map(|best| format!("did you mean '{best}'?"))
 }

@@ -5,7 +5,7 @@ use super::constraints::measure_rows;
 use super::context::{Context, GlobalMeasure};
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
-use crate::joint::{Measure, MeasureKind, MeasureRow, MeasureRows, TimeFunction};
+use crate::joint::{Measure, MeasureRow, MeasureRows, PlanarMeasure, TimeFunction};
 use crate::model::{DriverKind, Motion, Quantity};
 use crate::system::{Coordinate, Phase, Role};
 use dalembert_expr::Dim;
@@ -74,8 +74,8 @@ impl Context<'_> {
                 let from_at = self.or_origin(from_at);
                 let mut rows = SmallVec::new();
                 for (value, kind, key) in [
-                    (x, MeasureKind::GroundX, "x"),
-                    (y, MeasureKind::GroundY, "y"),
+                    (x, PlanarMeasure::GroundX, "x"),
+                    (y, PlanarMeasure::GroundY, "y"),
                 ] {
                     let Some(value) = value else { continue };
                     let f = self
@@ -142,7 +142,12 @@ impl Context<'_> {
                         Diagnostic::error(
                             "unresolved-rate",
                             place.key("rate"),
-                            format!("{}: the rate cannot be integrated from {from} s to {to} s", place.owner),
+                            format!(
+                                "{}: the rate cannot be integrated from {} s to {} s",
+                                place.owner,
+                                crate::words::readable(from),
+                                crate::words::readable(to)
+                            ),
                         )
                         .help("it is not finite there, or changes too often: give value instead of rate"),
                     );

@@ -6,7 +6,7 @@ use super::names::Property;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::force::{Bushing, ForceElement, MeasureForce, PointForce, PointGravity};
-use crate::joint::{Measure, MeasureKind};
+use crate::joint::{Measure, PlanarMeasure};
 use crate::model::{Axes, ForceKind, Matrix, Value};
 use crate::signal::{Coefficient, SignalKind};
 use crate::space::Planar;
@@ -62,7 +62,7 @@ impl Context<'_> {
             let place = Place::new("force", index, "force", &force.name);
             let [first, second] = self.two_points(bodies, at, &place.owner, &place.path);
             let m = GlobalMeasure {
-                kind: MeasureKind::Distance,
+                kind: PlanarMeasure::Distance,
                 first,
                 second,
             };

@@ -2,10 +2,10 @@
 
 use super::context::{Context, GlobalMeasure};
 use crate::diagnostic::Diagnostic;
-use crate::joint::MeasureKind;
+use crate::joint::PlanarMeasure;
 use crate::model::{GROUND, JointKind, Value};
 use crate::signal::SignalKind;
-use dalembert_expr::{Dim, Function, Quantity, Resolved, Scope, UnknownName};
+use dalembert_expr::{Dim, Function, Quantity, Resolved, Scope, UnknownName, nearest};
 use indexmap::IndexMap;
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -46,11 +46,10 @@ pub(super) struct ConstantScope<'a> {
 
 fn unknown<'a>(path: &[&str], known: impl Iterator<Item = &'a str>, note: &str) -> UnknownName {
     let name = path.join(".");
-    let known: Vec<&str> = known.collect();
     UnknownName {
-        suggestions: crate::text::nearest(&name, known)
-            .map(str::to_owned)
+        suggestions: nearest(&name, known)
             .into_iter()
+            .map(str::to_owned)
             .collect(),
         note: Some(note.to_owned()),
     }
@@ -86,7 +85,7 @@ pub(super) struct StateScope<'a> {
 
 /// What stands for the measure of time, which has none.
 const NO_MEASURE: GlobalMeasure = GlobalMeasure {
-    kind: MeasureKind::Angle,
+    kind: PlanarMeasure::Angle,
     first: 0,
     second: 0,
 };
@@ -158,13 +157,10 @@ impl Scope for StateScope<'_> {
                         dim: Quantity::Known(p.dim),
                     }),
                     None => Err(UnknownName {
-                        suggestions: crate::text::nearest(
-                            property,
-                            list.iter().map(|p| p.name.as_str()),
-                        )
-                        .map(|p| format!("{name}.{p}"))
-                        .into_iter()
-                        .collect(),
+                        suggestions: nearest(property, list.iter().map(|p| p.name.as_str()))
+                            .into_iter()
+                            .map(|p| format!("{name}.{p}"))
+                            .collect(),
                         note: Some(format!(
                             "'{name}' has: {}",
                             list.iter()
@@ -179,13 +175,10 @@ impl Scope for StateScope<'_> {
                     note: Some("only t and parameters can be used here".to_owned()),
                 }),
                 None => Err(UnknownName {
-                    suggestions: crate::text::nearest(
-                        name,
-                        self.properties.keys().map(String::as_str),
-                    )
-                    .map(|n| format!("{n}.{property}"))
-                    .into_iter()
-                    .collect(),
+                    suggestions: nearest(name, self.properties.keys().map(String::as_str))
+                        .into_iter()
+                        .map(|n| format!("{n}.{property}"))
+                        .collect(),
                     note: Some(format!("there is no element '{name}' with quantities")),
                 }),
             },
@@ -238,19 +231,31 @@ impl Context<'_> {
             let owner = format!("parameter '{name}'");
             self.check_name(name, &owner, &format!("parameters.{name}"));
         }
-        let mut pending: IndexMap<String, (Value, String)> = self
+        let written: IndexMap<String, (Value, String)> = self
             .model
             .parameters
             .iter()
             .map(|(k, v)| (k.clone(), (v.clone(), format!("parameters.{k}"))))
             .collect();
-        for (name, value) in self.overrides {
+        let overrides = self.overrides;
+        if overrides.is_empty() {
+            self.evaluate_parameters(written, &HashMap::new());
+            return;
+        }
+        let places = self.places_of(&written, overrides);
+        let mut pending = written;
+        for (name, value) in overrides {
             match pending.get_mut(name) {
                 Some(slot) => slot.0 = value.clone(),
                 None => {
                     let known: Vec<&str> = pending.keys().map(String::as_str).collect();
-                    let help = super::context::suggestion(name, &known)
-                        .unwrap_or_else(|| format!("the parameters are: {}", known.join(", ")));
+                    let help = super::context::suggestion(name, &known).unwrap_or_else(|| {
+                        if known.is_empty() {
+                            "the model has no parameters".to_owned()
+                        } else {
+                            format!("the parameters are: {}", known.join(", "))
+                        }
+                    });
                     self.report(
                         Diagnostic::error(
                             "unknown-parameter",
@@ -262,6 +267,33 @@ impl Context<'_> {
                 }
             }
         }
+        self.evaluate_parameters(pending, &places);
+    }
+
+    /// What the parameters that are overridden are in the model itself: another value must be of
+    /// the same dimension. Mistakes in values that do not count are not reported.
+    fn places_of(
+        &mut self,
+        written: &IndexMap<String, (Value, String)>,
+        overrides: &[(String, Value)],
+    ) -> HashMap<String, Dim> {
+        let (told, stand_ins) = (self.diagnostics.len(), self.stand_ins);
+        self.evaluate_parameters(written.clone(), &HashMap::new());
+        self.diagnostics.truncate(told);
+        self.stand_ins = stand_ins;
+        let values = std::mem::take(&mut self.parameters);
+        overrides
+            .iter()
+            .filter_map(|(name, _)| Some((name.clone(), values.get(name)?.1.likely()?)))
+            .collect()
+    }
+
+    /// Evaluates parameters in the order of their dependence; those with a place must fit it.
+    fn evaluate_parameters(
+        &mut self,
+        mut pending: IndexMap<String, (Value, String)>,
+        places: &HashMap<String, Dim>,
+    ) {
         while !pending.is_empty() {
             let ready: Vec<String> = pending
                 .iter()
@@ -285,7 +317,10 @@ impl Context<'_> {
                     continue;
                 };
                 let owner = format!("parameter '{name}'");
-                match self.measured(&value, &owner, &path) {
+                let place = places
+                    .get(&name)
+                    .map_or(Quantity::Free, |dim| (*dim).into());
+                match self.measured(&value, place, &owner, &path) {
                     Some((x, quantity)) => {
                         self.parameters.insert(name, (x, quantity));
                     }
@@ -301,30 +336,29 @@ impl Context<'_> {
         self.parameters.insert(name, (f64::NAN, Quantity::Free));
     }
 
-    /// A constant of any dimension, and what is known of its dimension. None after a mistake,
-    /// which is then reported.
-    pub fn measured(&mut self, value: &Value, owner: &str, path: &str) -> Option<(f64, Quantity)> {
+    /// A constant for a place, and what is known of its dimension. None after a mistake, which is
+    /// then reported.
+    pub fn measured(
+        &mut self,
+        value: &Value,
+        place: Quantity,
+        owner: &str,
+        path: &str,
+    ) -> Option<(f64, Quantity)> {
         let Value::Text(text) = value else {
-            return self
-                .constant(value, Quantity::Free, owner, path)
-                .map(|x| (x, Quantity::Free));
+            let x = self.constant(value, place, owner, path)?;
+            return Some((x, place));
         };
         let scope = ConstantScope {
             parameters: &self.parameters,
             functions: &self.functions,
         };
-        match dalembert_expr::compile(text, &scope, Quantity::Free) {
-            Ok(program) => {
-                // Without variables a program is a number.
-                let value = Value::Number(program.eval(&[]));
-                let x = self.constant(&value, Quantity::Free, owner, path)?;
-                Some((x, program.quantity()))
-            }
-            Err(errors) => {
-                self.report_expression(owner, path, errors);
-                None
-            }
-        }
+        let compiled = dalembert_expr::compile(text, &scope, place);
+        let program = self.accept(compiled, owner, path)?;
+        // Without variables a program is a number.
+        let value = Value::Number(program.eval(&[]));
+        let x = self.constant(&value, place, owner, path)?;
+        Some((x, program.quantity()))
     }
 
     /// Reports a circle of parameters that wait for each other; returns its members.

@@ -3,6 +3,7 @@
 use super::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Stabilization, Value};
+use crate::words::readable;
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 
@@ -19,6 +20,8 @@ pub struct Options {
     pub tolerance: f64,
     /// Largest integration step [s].
     pub max_step: f64,
+    /// Most integration steps.
+    pub max_steps: usize,
     /// How constraints are kept.
     pub stabilization: Stabilization,
     /// Baumgarte's alpha and beta [1/s].
@@ -31,6 +34,10 @@ pub struct Options {
     pub independent: Vec<String>,
 }
 
+/// Most integration steps where the model gives no number: a minute or so of a small machine, a
+/// thousand times what most runs take.
+const MAX_STEPS: usize = 1_000_000;
+
 impl Default for Options {
     fn default() -> Self {
         Self {
@@ -39,6 +46,7 @@ impl Default for Options {
             step: 0.01,
             tolerance: 1e-8,
             max_step: f64::INFINITY,
+            max_steps: MAX_STEPS,
             stabilization: Stabilization::Projection,
             baumgarte: [50.0, 50.0],
             max_iterations: 50,
@@ -108,7 +116,11 @@ impl Context<'_> {
         check(
             end > start,
             "end",
-            &format!("end ({end} s) is not after start ({start} s)"),
+            &format!(
+                "end ({} s) is not after start ({} s)",
+                readable(end),
+                readable(start)
+            ),
             "give a later end",
         );
         check(
@@ -128,6 +140,12 @@ impl Context<'_> {
             "max_step",
             "max_step must be positive",
             "give a positive max_step",
+        );
+        check(
+            a.max_steps != Some(0),
+            "max_steps",
+            "max_steps must be positive",
+            "give a positive max_steps, or leave it out",
         );
         check(
             baumgarte.iter().all(|x| *x > 0.0),
@@ -156,6 +174,7 @@ impl Context<'_> {
             step,
             tolerance,
             max_step,
+            max_steps: a.max_steps.map_or(MAX_STEPS, |n| n as usize),
             stabilization: a.stabilization.unwrap_or_default(),
             baumgarte,
             max_iterations: a.max_iterations.unwrap_or(50) as usize,

@@ -3,7 +3,7 @@
 use super::context::Context;
 use super::drawing::DrawnEnd;
 use super::place::Place;
-use crate::joint::MeasureKind;
+use crate::joint::PlanarMeasure;
 use crate::model::{CamFollower, JointKind, Value};
 use crate::space::Planar;
 use crate::system::{ElementData, Role};
@@ -107,7 +107,7 @@ impl Context<'_> {
         let markers = &self.joint_places.get(name)?.markers;
         let [cam_pose, face_pose] = [markers[0], markers[1]].map(|m| self.pose(m));
         let reach = cam.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
-        let side = MeasureKind::AlongY.value(&face_pose, &cam_pose);
+        let side = PlanarMeasure::AlongY.value(&face_pose, &cam_pose);
         let back = if side > 0.0 { -FACE } else { FACE } * reach;
         Some(vec![
             [-reach, 0.0],

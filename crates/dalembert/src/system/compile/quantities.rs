@@ -2,12 +2,12 @@
 
 use super::context::{Context, GlobalMeasure, JointPlace};
 use crate::diagnostic::Diagnostic;
-use crate::joint::MeasureKind;
+use crate::joint::PlanarMeasure;
 use crate::model::{CoordinateName, Point, Quantity};
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 
-impl MeasureKind {
+impl PlanarMeasure {
     /// Dimension of the value.
     pub(super) fn dim(self) -> Dim {
         if self.is_angle() {
@@ -54,9 +54,9 @@ impl Context<'_> {
                 };
                 let at = self.or_origin(at);
                 let kind = match coordinate {
-                    CoordinateName::X => MeasureKind::GroundX,
-                    CoordinateName::Y => MeasureKind::GroundY,
-                    CoordinateName::Angle => MeasureKind::Angle,
+                    CoordinateName::X => PlanarMeasure::GroundX,
+                    CoordinateName::Y => PlanarMeasure::GroundY,
+                    CoordinateName::Angle => PlanarMeasure::Angle,
                 };
                 let second = self.marker(&place, at, 0.0);
                 Some(GlobalMeasure {
@@ -75,7 +75,7 @@ impl Context<'_> {
                     self.marker(&place, Vector2::zeros(), 0.0)
                 });
                 Some(GlobalMeasure {
-                    kind: MeasureKind::Angle,
+                    kind: PlanarMeasure::Angle,
                     first,
                     second,
                 })
@@ -83,7 +83,7 @@ impl Context<'_> {
             Quantity::Distance { bodies, at } => {
                 let [first, second] = self.two_points(bodies, at, owner, path);
                 let m = GlobalMeasure {
-                    kind: MeasureKind::Distance,
+                    kind: PlanarMeasure::Distance,
                     first,
                     second,
                 };

@@ -3,6 +3,7 @@
 use super::context::Context;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Interpolation, Table, Value};
+use crate::words::counted;
 use dalembert_expr::{Function, Quantity, Spline, Unit};
 use std::sync::Arc;
 
@@ -45,7 +46,7 @@ impl Context<'_> {
                 Diagnostic::error(
                     "table-length",
                     path,
-                    format!("{owner}: x has {x} values and y has {y}"),
+                    format!("{owner}: x has {} and y has {y}", counted(x, "value")),
                 )
                 .help("give as many y as x"),
             );
@@ -83,16 +84,19 @@ impl Context<'_> {
     /// unit, such as 0, goes with any.
     fn column(&mut self, values: &[Value], key: &str, owner: &str, path: &str) -> Option<Column> {
         let mut known: Option<(usize, Quantity)> = None;
+        let mut likely = Quantity::Free;
         let mut numbers = Vec::with_capacity(values.len());
         let mut usable = true;
         for (k, value) in values.iter().enumerate() {
             let path = format!("{path}.{key}[{k}]");
-            let Some((number, quantity)) = self.measured(value, owner, &path) else {
+            let Some((number, quantity)) = self.measured(value, Quantity::Free, owner, &path)
+            else {
                 usable = false;
                 continue;
             };
             numbers.push(number);
-            if quantity == Quantity::Free {
+            if quantity.known().is_none() {
+                likely = quantity;
                 continue;
             }
             let (first, wanted) = *known.get_or_insert((k, quantity));
@@ -107,7 +111,7 @@ impl Context<'_> {
                 );
             }
         }
-        let quantity = known.map_or(Quantity::Free, |(_, quantity)| quantity);
+        let quantity = known.map_or(likely, |(_, quantity)| quantity);
         usable.then_some(Column { numbers, quantity })
     }
 

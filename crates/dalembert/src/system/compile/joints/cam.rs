@@ -50,11 +50,8 @@ impl Context<'_> {
             functions: &self.functions,
         };
         let compiled = dalembert_expr::compile(&text, &scope, Quantity::Known(Dim::LENGTH));
-        compiled
-            .map_err(|e| {
-                self.report_expression(&place.owner, &place.key(&format!("profile.{key}")), e)
-            })
-            .ok()
+        let path = place.key(&format!("profile.{key}"));
+        self.accept(compiled, &place.owner, &path)
     }
 
     /// The profile of a cam.

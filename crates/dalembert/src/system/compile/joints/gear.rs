@@ -4,7 +4,7 @@ use super::super::built::Built;
 use super::super::context::Context;
 use super::super::place::Place;
 use crate::diagnostic::Diagnostic;
-use crate::joint::{Measure, MeasureKind, MeasureRow, MeasureRows, MeasureTerm, TimeFunction};
+use crate::joint::{Measure, MeasureRow, MeasureRows, MeasureTerm, PlanarMeasure, TimeFunction};
 use crate::model::{GROUND, Value};
 use dalembert_expr::Quantity;
 use nalgebra::Vector2;
@@ -74,7 +74,7 @@ impl Context<'_> {
                 MeasureTerm {
                     factor: 1.0,
                     measure: Measure {
-                        kind: MeasureKind::Angle,
+                        kind: PlanarMeasure::Angle,
                         first: 2,
                         second: 0
                     }
@@ -82,7 +82,7 @@ impl Context<'_> {
                 MeasureTerm {
                     factor: ratio,
                     measure: Measure {
-                        kind: MeasureKind::Angle,
+                        kind: PlanarMeasure::Angle,
                         first: 2,
                         second: 1
                     }

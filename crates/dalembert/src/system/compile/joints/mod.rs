@@ -10,7 +10,7 @@ use super::built::Built;
 use super::context::{Context, GlobalMeasure, JointPlace};
 use super::names::Property;
 use super::place::Place;
-use crate::joint::{Measure, MeasureKind, MeasureRow, TimeFunction};
+use crate::joint::{Measure, MeasureRow, PlanarMeasure, TimeFunction};
 use crate::model::{CamFollower, JointKind};
 use crate::signal::SignalKind;
 use crate::system::{Coordinate, ElementData, Phase, Role};
@@ -20,7 +20,7 @@ use smallvec::{SmallVec, smallvec};
 use std::f64::consts::TAU;
 
 /// Measure between the element's first and second marker.
-const fn between(kind: MeasureKind) -> Measure {
+const fn between(kind: PlanarMeasure) -> Measure {
     Measure {
         kind,
         first: 0,
@@ -30,11 +30,11 @@ const fn between(kind: MeasureKind) -> Measure {
 
 const ANGLE: Coordinate = Coordinate {
     name: "angle",
-    measure: between(MeasureKind::Angle),
+    measure: between(PlanarMeasure::Angle),
 };
 const DISPLACEMENT: Coordinate = Coordinate {
     name: "displacement",
-    measure: between(MeasureKind::AlongX),
+    measure: between(PlanarMeasure::AlongX),
 };
 
 impl Context<'_> {
@@ -72,6 +72,7 @@ impl Context<'_> {
             axes_marker: 0,
             coordinates: built.coordinates,
             auxiliary_start: built.auxiliary_start,
+            scale: 1.0,
             bodies: SmallVec::new(),
             slots: SmallVec::new(),
             rows: 0..0,
@@ -110,7 +111,7 @@ impl Context<'_> {
     }
 
     fn joint(&mut self, kind: &JointKind, place: &Place) -> Option<Built> {
-        use MeasureKind::{AlongY, GroundX, GroundY};
+        use PlanarMeasure::{AlongY, GroundX, GroundY};
         let minus = |kind, label| MeasureRow::minus(between(kind), 0.0, label);
         match kind {
             JointKind::Revolute { placement } => {
@@ -131,7 +132,7 @@ impl Context<'_> {
             JointKind::Distance { placement, length } => {
                 let m = self.placement(placement, place, Direction::Optional)?;
                 let measure = GlobalMeasure {
-                    kind: MeasureKind::Distance,
+                    kind: PlanarMeasure::Distance,
                     first: m[0],
                     second: m[1],
                 };
@@ -140,7 +141,7 @@ impl Context<'_> {
                     None => self.estimate(measure),
                 };
                 self.nonzero_distance(measure, &place.owner, &place.path)?;
-                let row = MeasureRow::minus(between(MeasureKind::Distance), target, "length");
+                let row = MeasureRow::minus(between(PlanarMeasure::Distance), target, "length");
                 Some(Built::rows("distance", m, smallvec![row], SmallVec::new()))
             }
             JointKind::PinSlot { placement } => {
@@ -230,7 +231,7 @@ impl Context<'_> {
     fn same_angle(&self, m: [usize; 2]) -> MeasureRow {
         let now = self.pose(m[1]).angle - self.pose(m[0]).angle;
         MeasureRow::minus(
-            between(MeasureKind::Angle),
+            between(PlanarMeasure::Angle),
             TAU * (now / TAU).round(),
             "angle",
         )

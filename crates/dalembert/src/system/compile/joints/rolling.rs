@@ -5,7 +5,7 @@ use super::super::context::Context;
 use super::super::place::Place;
 use super::{ANGLE, between};
 use crate::diagnostic::Diagnostic;
-use crate::joint::{MeasureKind, MeasureRow, MeasureTerm, RollingOnCircle, TimeFunction};
+use crate::joint::{MeasureRow, MeasureTerm, PlanarMeasure, RollingOnCircle, TimeFunction};
 use crate::model::Side;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
@@ -19,11 +19,11 @@ impl Context<'_> {
             terms: smallvec![
                 MeasureTerm {
                     factor: 1.0,
-                    measure: between(MeasureKind::AlongX)
+                    measure: between(PlanarMeasure::AlongX)
                 },
                 MeasureTerm {
                     factor: signed_radius,
-                    measure: between(MeasureKind::Angle)
+                    measure: between(PlanarMeasure::Angle)
                 }
             ],
             target: TimeFunction::Constant(0.0),
@@ -39,7 +39,7 @@ impl Context<'_> {
         if let Some(side) = side {
             return Some(if side == Side::Left { 1.0 } else { -1.0 });
         }
-        let eta = MeasureKind::AlongY.value(&self.pose(m[0]), &self.pose(m[1]));
+        let eta = PlanarMeasure::AlongY.value(&self.pose(m[0]), &self.pose(m[1]));
         if eta == 0.0 && self.stand_ins {
             return None;
         }

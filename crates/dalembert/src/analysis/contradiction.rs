@@ -1,0 +1,55 @@
+//! Redundant rows that part ways on the way.
+
+use super::AnalysisError;
+use super::mobility::conflicts;
+use super::weights::Weights;
+use crate::space::Planar;
+use crate::system::{Role, State, System, Workspace};
+
+/// Parts of the time left at which the rows are looked at, the nearest first.
+const AHEAD: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
+
+/// The error behind a run that stopped after a good state, where it is a contradiction: rows that depend on each other
+/// in this pose, a driver among them, ask for different motions from here on.
+pub(super) fn contradiction(
+    system: &System<Planar>,
+    good: &State,
+    end: f64,
+) -> Option<AnalysisError> {
+    if !dependent(system, good) {
+        return None;
+    }
+    AHEAD.into_iter().find_map(|part| {
+        let h = part * (end - good.t);
+        let mut ahead = good.clone();
+        ahead.t += h;
+        for (q, v) in ahead.q.iter_mut().zip(&good.v) {
+            *q += h * v;
+        }
+        conflicts(system, &ahead)
+            .ok()?
+            .into_iter()
+            .find_map(|found| {
+                let among =
+                    |e: &crate::system::ElementData<Planar>| found.elements.contains(&e.name);
+                let driven = system
+                    .elements
+                    .iter()
+                    .any(|e| among(e) && e.role == Role::Driver);
+                let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
+                (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
+                    time: good.t,
+                    elements: crate::words::listed(&found.elements),
+                })
+            })
+    })
+}
+
+/// Are the rows dependent at a state?
+fn dependent(system: &System<Planar>, state: &State) -> bool {
+    let mut ws = Workspace::new(system);
+    system.update_markers(&state.q, &state.v, &mut ws);
+    system.evaluate_constraints(state.t, &mut ws);
+    let weights = Weights::even(system);
+    !ws.factor(&weights.inverse).vanished.is_empty()
+}

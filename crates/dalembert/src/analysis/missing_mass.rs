@@ -1,0 +1,22 @@
+//! A note on bodies without mass: nothing loads a machine there.
+
+use crate::space::Planar;
+use crate::system::System;
+
+/// What a user must know of bodies without mass before trusting forces.
+pub(super) fn note(system: &System<Planar>) -> Option<String> {
+    let without: Vec<&str> = system
+        .bodies
+        .iter()
+        .enumerate()
+        .filter(|(b, _)| system.mass[9 * b] == 0.0)
+        .map(|(_, body)| body.name.as_str())
+        .collect();
+    if without.is_empty() {
+        return None;
+    }
+    Some(format!(
+        "warning: no mass is given for {}: neither gravity nor inertia loads the machine there",
+        without.join(", ")
+    ))
+}

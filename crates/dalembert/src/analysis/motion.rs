@@ -1,0 +1,278 @@
+//! The equations of motion as an ordinary differential equation.
+
+use super::massless;
+use super::meeting::Meeting;
+use super::recorder::{energies, outside_power};
+use super::stiffest::{Stiffest, stiffest};
+use super::{AnalysisError, Dynamics};
+use crate::integrate::{Dopri5, Ode};
+use crate::model::Stabilization;
+use crate::space::Planar;
+use crate::system::{Metric, State, System, Workspace};
+
+/// The equations of motion as an ordinary differential equation in (q, v, work).
+#[derive(Debug)]
+pub struct Motion<'a> {
+    system: &'a System<Planar>,
+    /// The workspace of the last evaluation.
+    pub ws: Workspace<Planar>,
+    baumgarte: Option<[f64; 2]>,
+    speed: [f64; 2],
+    /// Violation found by the last projection, before it.
+    pub drift: f64,
+    /// Projections made.
+    pub projections: usize,
+    rate: Vec<f64>,
+    zero: Vec<f64>,
+    tolerance: f64,
+    meeting: Meeting,
+    /// Masses as the solver sees them, and metric of the projections.
+    pub(super) metric: Metric,
+}
+
+impl<'a> Motion<'a> {
+    /// The motion of a system.
+    pub fn new(system: &'a System<Planar>, options: &Dynamics) -> Self {
+        Self {
+            system,
+            ws: Workspace::new(system),
+            baumgarte: (options.stabilization == Stabilization::Baumgarte)
+                .then_some(options.baumgarte),
+            speed: [0.0; 2],
+            drift: 0.0,
+            projections: 0,
+            rate: vec![0.0; system.rows],
+            zero: vec![0.0; system.nv()],
+            meeting: Meeting::new(system),
+            metric: system.metric.clone(),
+            tolerance: (1e-3 * options.tolerance).clamp(1e-14, 1e-11),
+        }
+    }
+
+    fn split<'y>(&self, y: &'y [f64]) -> (&'y [f64], &'y [f64]) {
+        let (nq, nv) = (self.system.nq(), self.system.nv());
+        (&y[..nq], &y[nq..nq + nv])
+    }
+
+    /// Accelerations and multipliers at a state, in the workspace (Shabana 6.141).
+    ///
+    /// # Errors
+    /// Something is not finite, or masses are missing.
+    pub fn evaluate(&mut self, t: f64, y: &[f64]) -> Result<(), AnalysisError> {
+        let (q, v) = self.split(y);
+        let (system, ws) = (self.system, &mut self.ws);
+        system.update_active_markers(q, v, ws);
+        self.meeting.check(system, ws, t)?;
+        system.evaluate_constraints(t, ws);
+        system.evaluate_forces(t, ws);
+        ws.rhs.copy_from_slice(&ws.qd);
+        if let Some([alpha, beta]) = self.baumgarte {
+            // C'' + 2 alpha C' + beta^2 C = 0.
+            system.jac_mul(ws, v, &mut self.rate);
+            for (k, r) in ws.rhs.iter_mut().enumerate() {
+                *r -= 2.0 * alpha * (self.rate[k] + ws.time[k]) + beta * beta * ws.value[k];
+            }
+        }
+        self.metric.factor(system, ws);
+        let found = ws.solve_forces(&system.mass);
+        if system.massless && !found.converged {
+            massless::dense(system, ws)?;
+        }
+        if ws.a.iter().all(|x| x.is_finite()) {
+            return Ok(());
+        }
+        Err(self.not_finite(t))
+    }
+
+    /// Makes sure that masses and constraints determine the accelerations at the last evaluation.
+    pub(super) fn check_masses(&mut self) -> Result<(), AnalysisError> {
+        if !self.system.massless {
+            return Ok(());
+        }
+        massless::check(self.system, &mut self.ws, &mut self.metric)
+    }
+
+    /// The state in a vector of the integrator.
+    fn state(&self, t: f64, y: &[f64]) -> State {
+        let (q, v) = self.split(y);
+        State {
+            t,
+            q: q.to_vec(),
+            v: v.to_vec(),
+        }
+    }
+
+    /// The force element with the fastest motion at a state.
+    pub(super) fn stiffest(&mut self, t: f64, y: &[f64]) -> Option<Stiffest> {
+        let state = self.state(t, y);
+        stiffest(self.system, &mut self.ws, &state, &mut self.metric)
+    }
+
+    /// Refuses an accepted step, whose markers the workspace holds, in which points met.
+    pub(super) fn passed(&mut self, t: f64) -> Result<(), AnalysisError> {
+        self.meeting.step(self.system, &self.ws, t)
+    }
+
+    /// Why no step is small enough.
+    pub(super) fn too_small(
+        &mut self,
+        integrator: &Dopri5,
+        step: f64,
+        cause: Option<AnalysisError>,
+    ) -> AnalysisError {
+        if let Some(met @ AnalysisError::NoDirection { .. }) = cause {
+            return met;
+        }
+        let state = self.state(integrator.t, &integrator.y);
+        // The step shrinks geometrically on its way to the meeting.
+        let horizon = (16.0 * step).max(1e-9 * integrator.t.abs());
+        if let Some(met) = self
+            .meeting
+            .ahead(self.system, &mut self.ws, &state, horizon)
+        {
+            return met;
+        }
+        let detail = match cause {
+            Some(error) => error.to_string(),
+            None => "the forces or the motion are too rough for the tolerance: look for a stiff spring, a jump in a force, or a singular pose near here".to_owned(),
+        };
+        AnalysisError::StepTooSmall {
+            time: integrator.t,
+            step,
+            detail,
+        }
+    }
+
+    fn not_finite(&self, t: f64) -> AnalysisError {
+        let system = self.system;
+        if let Some(row) = self.ws.qd.iter().position(|x| !x.is_finite()) {
+            return AnalysisError::NotFinite {
+                element: system.row_name(row),
+                time: t,
+            };
+        }
+        let guilty = system.forces.iter().find(|f| {
+            let markers: Vec<_> = f.markers.iter().map(|&m| self.ws.markers[m]).collect();
+            let mut w = vec![nalgebra::Vector3::zeros(); markers.len()];
+            f.element.wrenches(t, &markers, &mut w);
+            w.iter().any(|w| w.iter().any(|x| !x.is_finite()))
+        });
+        let element = match guilty {
+            Some(f) => format!("force '{}' ({})", f.name, f.kind),
+            None => "the system of equations".to_owned(),
+        };
+        AnalysisError::NotFinite { element, time: t }
+    }
+
+    /// Kinetic and potential energy at the state of the workspace, which must hold all markers.
+    pub fn energy(&self, t: f64, y: &[f64]) -> f64 {
+        let (_, v) = self.split(y);
+        let (kinetic, gravity) = energies(self.system, &self.ws, v);
+        let elastic: f64 = self
+            .system
+            .forces
+            .iter()
+            .map(|f| {
+                let markers: Vec<_> = f.markers.iter().map(|&m| self.ws.markers[m]).collect();
+                f.element.report(t, &markers).potential
+            })
+            .sum();
+        kinetic + gravity + elastic
+    }
+}
+
+impl Ode for Motion<'_> {
+    type Error = AnalysisError;
+
+    fn dim(&self) -> usize {
+        self.system.nq() + self.system.nv() + 1
+    }
+
+    fn rhs(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), AnalysisError> {
+        self.evaluate(t, y)?;
+        let (nq, nv) = (self.system.nq(), self.system.nv());
+        dydt[..nq].copy_from_slice(&y[nq..nq + nv]);
+        dydt[nq..nq + nv].copy_from_slice(&self.ws.a);
+        dydt[nq + nv] = outside_power(self.system, &self.ws, t);
+        Ok(())
+    }
+
+    fn scales(&mut self, y: &[f64], scales: &mut [f64]) {
+        let (nq, nv, bodies) = (self.system.nq(), self.system.nv(), self.system.bodies.len());
+        let size = self.system.size;
+        let (q, v) = self.split(y);
+        // Speeds are measured against the fastest of their kind so far; a machine at rest against
+        // one size a second.
+        for b in 0..bodies {
+            self.speed[0] = self.speed[0].max(v[3 * b].abs()).max(v[3 * b + 1].abs());
+            self.speed[1] = self.speed[1].max(v[3 * b + 2].abs());
+        }
+        for i in 0..nq {
+            let angle = i >= 3 * bodies || i % 3 == 2;
+            scales[i] = if angle { 1.0 } else { size + q[i].abs() };
+            scales[nq + i] = if angle {
+                1.0 + self.speed[1]
+            } else {
+                size + self.speed[0]
+            };
+        }
+        // The work is a monitor: it follows the states and does not govern the step.
+        scales[nq + nv] = f64::INFINITY;
+    }
+
+    /// Position and velocity projection in the metric of the mass.
+    fn project(&mut self, t: f64, y: &mut [f64]) -> Result<bool, AnalysisError> {
+        if self.baumgarte.is_some() || self.system.rows == 0 {
+            return Ok(false);
+        }
+        let system = self.system;
+        let (nq, nv) = (system.nq(), system.nv());
+        let (q, v) = y[..nq + nv].split_at_mut(nq);
+        let ws = &mut self.ws;
+        system.update_active_markers(q, v, ws);
+        system.evaluate_constraints(t, ws);
+        let (mut violation, _) = system.violation(ws);
+        self.drift = violation;
+        let tolerance = self.tolerance.max(system.rounding(q));
+        let mut iterations = 0;
+        while violation > tolerance {
+            if iterations == 8 || !violation.is_finite() {
+                // Rounding of a large machine ends the improvement; anything larger is a failure.
+                if violation < tolerance.max(1e-10) {
+                    break;
+                }
+                let (_, row) = system.violation(ws);
+                return Err(AnalysisError::NotAssembled {
+                    time: t,
+                    iterations,
+                    worst: system.row_name(row),
+                    residual: ws.value[row].abs(),
+                    conflict: "; the projection did not converge".to_owned(),
+                });
+            }
+            self.metric.factor(system, ws);
+            for (r, c) in ws.rhs.iter_mut().zip(&ws.value) {
+                *r = -c;
+            }
+            ws.solve(&self.metric.blocks, &self.zero);
+            for (x, d) in q.iter_mut().zip(&ws.a) {
+                *x += d;
+            }
+            system.update_active_markers(q, v, ws);
+            system.evaluate_constraints(t, ws);
+            violation = system.violation(ws).0;
+            iterations += 1;
+        }
+        self.metric.factor(system, ws);
+        system.jac_mul(ws, v, &mut self.rate);
+        for (r, (c, t)) in ws.rhs.iter_mut().zip(self.rate.iter().zip(&ws.time)) {
+            *r = -(c + t);
+        }
+        ws.solve(&self.metric.blocks, &self.zero);
+        for (x, d) in v.iter_mut().zip(&ws.a) {
+            *x += d;
+        }
+        self.projections += 1;
+        Ok(true)
+    }
+}

@@ -1,0 +1,112 @@
+//! Energies, momentum and violation of the whole machine.
+
+use super::energy::{driver_power, energies, momentum};
+use super::{Extra, Recorder};
+use crate::space::Planar;
+use crate::system::{Role, State, System, Workspace};
+
+impl Recorder {
+    pub(super) fn totals(
+        &mut self,
+        system: &System<Planar>,
+        ws: &Workspace<Planar>,
+        state: &State,
+        extra: Extra,
+        (elastic, power): (f64, f64),
+    ) {
+        let (kinetic, gravity) = energies(system, ws, &state.v);
+        let potential = gravity + elastic;
+        self.put("energy", "kinetic", "J", "kinetic energy", kinetic);
+        self.put(
+            "energy",
+            "potential",
+            "J",
+            "potential energy of gravity and springs",
+            potential,
+        );
+        self.put(
+            "energy",
+            "total",
+            "J",
+            "kinetic and potential energy",
+            kinetic + potential,
+        );
+        if self.dynamic {
+            let drivers: f64 = system
+                .elements
+                .iter()
+                .filter(|e| e.role == Role::Driver)
+                .map(|e| driver_power(ws, e.rows.clone()))
+                .sum();
+            self.put(
+                "energy",
+                "power",
+                "W",
+                "power of drivers and of forces without potential",
+                power + drivers,
+            );
+        }
+        if let Some(start) = extra.start_energy {
+            self.put(
+                "energy",
+                "work",
+                "J",
+                "work of drivers and of forces without potential since the start",
+                extra.work,
+            );
+            self.put(
+                "energy",
+                "balance",
+                "J",
+                "total energy minus its start minus the work: the error of the run",
+                kinetic + potential - start - extra.work,
+            );
+        }
+        let momentum = momentum(system, ws, &state.v);
+        self.put(
+            "momentum",
+            "x",
+            "kg m/s",
+            "linear momentum, ground x",
+            momentum.x,
+        );
+        self.put(
+            "momentum",
+            "y",
+            "kg m/s",
+            "linear momentum, ground y",
+            momentum.y,
+        );
+        self.put(
+            "momentum",
+            "angular",
+            "kg m^2/s",
+            "angular momentum about the origin",
+            momentum.z,
+        );
+        let (violation, _) = system.violation(ws);
+        self.put(
+            "violation",
+            "position",
+            "",
+            "largest constraint violation, relative to the size of the machine",
+            violation,
+        );
+        let mut rate = std::mem::take(&mut self.scratch);
+        rate.clear();
+        rate.resize(system.rows, 0.0);
+        system.jac_mul(ws, &state.v, &mut rate);
+        for (r, t) in rate.iter_mut().zip(&ws.time) {
+            *r += t;
+        }
+        let (violation, _) = system.largest(&rate);
+        self.scratch = rate;
+        self.put(
+            "violation",
+            "velocity",
+            "1/s",
+            "largest violation of the velocity constraints, relative to the size",
+            violation,
+        );
+    }
+}

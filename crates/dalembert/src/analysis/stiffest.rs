@@ -1,0 +1,144 @@
+//! The force element that sets the fastest motion of a machine.
+
+use crate::formulation::column_scale;
+use crate::space::{Planar, PlanarMarker, Space};
+use crate::system::{ForceData, Metric, State, System, Workspace};
+use nalgebra::Vector3;
+
+/// A force element and the rate of the motion that it makes on its own.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Stiffest {
+    /// "bumper (spring-damper)".
+    pub element: String,
+    /// Rate of decay or circular frequency [1/s].
+    pub rate: f64,
+    /// Is it the damping, not the stiffness?
+    pub damping: bool,
+}
+
+/// Power iterations: an element along one measure needs one, a bushing a few.
+const ITERATIONS: usize = 4;
+/// Displacements of the differences, relative to size and radians: forces of curved laws are
+/// differentiated to some six digits.
+const DIFFERENCE: f64 = 1e-6;
+
+/// Finds the element with the fastest motion of the constrained machine: the largest eigenvalue of
+/// (inverse mass on the free motions) * (its stiffness), whose root is a frequency, or * (its
+/// damping), by power iteration. `None` where no element has either, or masses are missing.
+pub(super) fn stiffest(
+    system: &System<Planar>,
+    ws: &mut Workspace<Planar>,
+    state: &State,
+    metric: &mut Metric,
+) -> Option<Stiffest> {
+    system.update_markers(&state.q, &state.v, ws);
+    system.evaluate_constraints(state.t, ws);
+    metric.factor(system, ws);
+    ws.rhs.fill(0.0);
+    let mut probe = Probe {
+        system,
+        ws,
+        state,
+        scale: column_scale(system),
+    };
+    let mut best: Option<Stiffest> = None;
+    for force in &system.forces {
+        for damping in [false, true] {
+            let Some(value) = probe.eigenvalue(force, damping) else {
+                continue;
+            };
+            let rate = if damping { value } else { value.sqrt() };
+            if rate.is_finite() && rate > best.as_ref().map_or(0.0, |b| b.rate) {
+                best = Some(Stiffest {
+                    element: format!("'{}' ({})", force.name, force.kind),
+                    rate,
+                    damping,
+                });
+            }
+        }
+    }
+    best
+}
+
+struct Probe<'a> {
+    system: &'a System<Planar>,
+    ws: &'a mut Workspace<Planar>,
+    state: &'a State,
+    scale: Vec<f64>,
+}
+
+impl Probe<'_> {
+    /// Largest eigenvalue, in size, that a force element gives the machine.
+    fn eigenvalue(&mut self, force: &ForceData<Planar>, damping: bool) -> Option<f64> {
+        // A first push with parts along everything that the element can feel.
+        let mut push = vec![0.0; self.system.nv()];
+        for (k, &m) in force.markers.iter().enumerate() {
+            if let Some(b) = self.system.markers[m].body {
+                for (i, part) in [1.0, 0.61, 0.37].into_iter().enumerate() {
+                    push[3 * b + i] = part * (1.0 + k as f64) / self.scale[3 * b + i];
+                }
+            }
+        }
+        let mut value = 0.0;
+        for iteration in 0..=ITERATIONS {
+            if !self.ws.solve(&self.system.mass, &push).converged {
+                return None;
+            }
+            let size = self.ws.a.iter().zip(&self.scale);
+            let size = size.fold(0.0_f64, |m, (x, s)| m.max((x / s).abs()));
+            if size.is_nan() || size <= 0.0 {
+                return None;
+            }
+            if iteration > 0 {
+                value = size;
+            }
+            let direction: Vec<f64> = self.ws.a.iter().map(|x| x / size).collect();
+            let ahead = self.wrenches(force, &direction, DIFFERENCE, damping);
+            let behind = self.wrenches(force, &direction, -DIFFERENCE, damping);
+            push.fill(0.0);
+            for (x, (a, b)) in push.iter_mut().zip(ahead.iter().zip(&behind)) {
+                *x = (a - b) / (2.0 * DIFFERENCE);
+            }
+        }
+        Some(value)
+    }
+
+    /// Generalized force of an element at a state moved along a direction.
+    fn wrenches(
+        &self,
+        force: &ForceData<Planar>,
+        direction: &[f64],
+        step: f64,
+        damping: bool,
+    ) -> Vec<f64> {
+        let system = self.system;
+        let moved: Vec<PlanarMarker> = force
+            .markers
+            .iter()
+            .map(|&m| {
+                let data = &system.markers[m];
+                let Some(b) = data.body else {
+                    return self.ws.markers[m];
+                };
+                let at = |x: &[f64], moves: bool| -> [f64; 3] {
+                    let factor = if moves { step } else { 0.0 };
+                    std::array::from_fn(|k| x[3 * b + k] + factor * direction[3 * b + k])
+                };
+                let (q, v) = (at(&self.state.q, !damping), at(&self.state.v, damping));
+                Planar::marker(&data.frame, &Planar::pose(&q), &v)
+            })
+            .collect();
+        let mut wrenches = vec![Vector3::zeros(); moved.len()];
+        force.element.wrenches(self.state.t, &moved, &mut wrenches);
+        let mut out = vec![0.0; system.nv()];
+        for ((&m, marker), wrench) in force.markers.iter().zip(&moved).zip(&wrenches) {
+            if let Some(b) = system.markers[m].body {
+                let pulled = Planar::pull(marker, wrench);
+                for k in 0..3 {
+                    out[3 * b + k] += pulled[k];
+                }
+            }
+        }
+        out
+    }
+}
