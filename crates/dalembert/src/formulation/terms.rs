@@ -72,7 +72,7 @@ impl Terms {
 /// Typical size of each velocity coordinate: the machine's size for lengths, one for angles.
 pub fn column_scale<S: Space>(system: &System<S>) -> Vec<f64> {
     // Linear components come first: 2 of 3 in the plane, 3 of 6 in space.
-    let linear = if S::NV == 3 { 2 } else { 3 };
+    let linear = S::LINEAR;
     let mut scale = Vec::with_capacity(system.nv());
     for _ in &system.bodies {
         for k in 0..S::NV {

@@ -24,6 +24,12 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     const NQ: usize;
     /// Velocity coordinates of a body.
     const NV: usize;
+    /// Linear components among the velocity coordinates of a body; they come first, the angular ones follow.
+    const LINEAR: usize;
+    /// Has a turning body inertia forces of its own ([`Space::gyroscopic`])?
+    const GYROSCOPIC: bool;
+    /// Names of the velocity coordinates of a body.
+    const VELOCITY_NAMES: &'static [&'static str];
     /// Twist or wrench: linear components first.
     type Twist: Tuple;
     /// A frame fixed in a body, measured from the centre of mass in body axes (ground: from the origin).
@@ -40,6 +46,8 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     fn pose(q: &[f64]) -> Self::Pose;
     /// Pose and velocity of a frame on a body with velocities `v` (NV).
     fn marker(frame: &Self::Frame, pose: &Self::Pose, v: &[f64]) -> Self::Marker;
+    /// Distance of a frame from its body's centre of mass (ground: from the origin) [m].
+    fn arm(frame: &Self::Frame) -> f64;
     /// Pose of a frame on the ground.
     fn ground_marker(frame: &Self::Frame) -> Self::Marker;
     /// Twist of a marker: velocity of its point, angular velocity, in ground axes.
@@ -58,6 +66,8 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     fn advance(q: &mut [f64], step: &[f64]);
     /// The smallest step (NV) that `advance` needs from one pose of a body to another.
     fn difference(from: &[f64], to: &[f64], out: &mut [f64]);
+    /// Distance of a body's centre from the origin [m], and the angle that its coordinates count [rad].
+    fn reach(q: &[f64]) -> [f64; 2];
     /// Brings redundant coordinates of a body back to their own condition.
     fn normalize(q: &mut [f64]);
     /// Q_v of a body with the mass block `mass` (NV x NV, row-major): the inertia forces of its own rotation.

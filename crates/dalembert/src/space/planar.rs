@@ -60,6 +60,9 @@ pub fn perpendicular(a: &Vector2<f64>) -> Vector2<f64> {
 impl Space for Planar {
     const NQ: usize = 3;
     const NV: usize = 3;
+    const LINEAR: usize = 2;
+    const GYROSCOPIC: bool = false;
+    const VELOCITY_NAMES: &'static [&'static str] = &["x", "y", "angle"];
     type Twist = Vector3<f64>;
     type Frame = PlanarFrame;
     type Pose = PlanarPose;
@@ -91,6 +94,10 @@ impl Space for Planar {
             velocity: Vector2::new(v[0], v[1]) + v[2] * perpendicular(&arm),
             omega: v[2],
         }
+    }
+
+    fn arm(frame: &PlanarFrame) -> f64 {
+        frame.at.norm()
     }
 
     fn ground_marker(frame: &PlanarFrame) -> PlanarMarker {
@@ -137,6 +144,10 @@ impl Space for Planar {
         for ((out, from), to) in out.iter_mut().zip(from).zip(to) {
             *out = to - from;
         }
+    }
+
+    fn reach(q: &[f64]) -> [f64; 2] {
+        [q[0].hypot(q[1]), q[2].abs()]
     }
 
     fn normalize(_: &mut [f64]) {}

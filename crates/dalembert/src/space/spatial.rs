@@ -89,6 +89,16 @@ pub fn join(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
 impl Space for Spatial {
     const NQ: usize = 7;
     const NV: usize = 6;
+    const LINEAR: usize = 3;
+    const GYROSCOPIC: bool = true;
+    const VELOCITY_NAMES: &'static [&'static str] = &[
+        "x",
+        "y",
+        "z",
+        "turn about x",
+        "turn about y",
+        "turn about z",
+    ];
     type Twist = Vector6<f64>;
     type Frame = SpatialFrame;
     type Pose = SpatialPose;
@@ -115,6 +125,10 @@ impl Space for Spatial {
             velocity: Vector3::new(v[0], v[1], v[2]) + omega.cross(&arm),
             omega,
         }
+    }
+
+    fn arm(frame: &SpatialFrame) -> f64 {
+        frame.at.norm()
     }
 
     fn ground_marker(frame: &SpatialFrame) -> SpatialMarker {
@@ -175,6 +189,11 @@ impl Space for Spatial {
             |q: &[f64]| UnitQuaternion::from_quaternion(Quaternion::new(q[3], q[4], q[5], q[6]));
         let turn = (unit(from).conjugate() * unit(to)).scaled_axis();
         out[3..6].copy_from_slice(turn.as_slice());
+    }
+
+    /// Euler parameters count no turns.
+    fn reach(q: &[f64]) -> [f64; 2] {
+        [q[0].hypot(q[1]).hypot(q[2]), 0.0]
     }
 
     fn normalize(q: &mut [f64]) {

@@ -286,6 +286,12 @@ impl<S: Space> System<S> {
         for (pose, q) in ws.poses.iter_mut().zip(q.chunks_exact(S::NQ)) {
             *pose = S::pose(q);
         }
+        if S::GYROSCOPIC {
+            let (bodies, n) = (self.bodies.len(), S::NV);
+            for (b, v) in v.chunks_exact(n).take(bodies).enumerate() {
+                ws.gyroscopic[b] = S::gyroscopic(self.mass_block(b), v);
+            }
+        }
         let (nq, nv) = (self.bodies.len() * S::NQ, self.body_nv());
         ws.s.copy_from_slice(&q[nq..]);
         ws.s_rate.copy_from_slice(&v[nv..]);
@@ -368,17 +374,24 @@ impl<S: Space> System<S> {
         }
     }
 
-    /// Generalized applied forces Q_e (gravity and force elements), into `ws.force`.
+    /// Generalized applied forces Q_e (gravity and force elements) and inertia forces Q_v of turning
+    /// bodies, into `ws.force`.
     pub fn evaluate_forces(&self, t: f64, ws: &mut Workspace<S>) {
         let Workspace {
             markers,
             force,
+            gyroscopic,
             local_markers,
             gradient,
             ..
         } = ws;
         force[..self.weight.len()].copy_from_slice(&self.weight);
         force[self.weight.len()..].fill(0.0);
+        for (force, own) in force.chunks_exact_mut(S::NV).zip(gyroscopic.iter()) {
+            for (x, y) in force.iter_mut().zip(own.as_slice()) {
+                *x += y;
+            }
+        }
         for f in &self.forces {
             let nm = f.markers.len();
             for (slot, &m) in local_markers.iter_mut().zip(&f.markers) {
@@ -499,8 +512,8 @@ impl<S: Space> System<S> {
     pub fn rounding(&self, q: &[f64]) -> f64 {
         let mut largest = [0.0_f64; 2];
         for body in q[..self.bodies.len() * S::NQ].chunks_exact(S::NQ) {
-            largest[0] = largest[0].max(body[0].abs()).max(body[1].abs());
-            largest[1] = largest[1].max(body[S::NQ - 1].abs());
+            let [distance, angle] = S::reach(body);
+            largest = [largest[0].max(distance), largest[1].max(angle)];
         }
         4.0 * f64::EPSILON * (1.0 + largest[0] / self.size + largest[1])
     }
@@ -540,7 +553,7 @@ impl<S: Space> System<S> {
     pub fn coordinate_names(&self) -> Vec<String> {
         let mut names = Vec::with_capacity(self.nv());
         for b in &self.bodies {
-            for c in ["x", "y", "angle"] {
+            for c in S::VELOCITY_NAMES {
                 names.push(format!("{}.{c}", b.name));
             }
         }

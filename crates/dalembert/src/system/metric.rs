@@ -2,7 +2,8 @@
 
 use super::{System, Workspace};
 use crate::network::UnionFind;
-use crate::space::{Planar, Space};
+use crate::space::Space;
+use nalgebra::Matrix3;
 
 /// Part of the mass of the bodies around it that a body is lent.
 ///
@@ -27,6 +28,9 @@ pub struct Metric {
     /// Their inverses.
     pub inverse: Vec<f64>,
     bodies: Vec<Loan>,
+    /// Velocity coordinates of a body, and the linear ones among them.
+    dof: usize,
+    linear: usize,
     /// Is there a body that has little and was not lent yet?
     can_lend: bool,
 }
@@ -43,11 +47,13 @@ struct Loan {
 
 impl Metric {
     /// The metric of a machine: bodies without mass or inertia are lent some.
-    pub(super) fn new(system: &System<Planar>) -> Self {
+    pub(super) fn new<S: Space>(system: &System<S>) -> Self {
         let mut metric = Self {
             blocks: system.mass.clone(),
             inverse: vec![0.0; system.mass.len()],
             bodies: loans(system),
+            dof: S::NV,
+            linear: S::LINEAR,
             can_lend: false,
         };
         metric.can_lend = metric.bodies.iter().any(|loan| loan.possible);
@@ -106,33 +112,69 @@ impl Metric {
 
     fn raise(&mut self, body: usize) {
         let Loan { mass, inertia, .. } = self.bodies[body];
-        for (k, least) in [(0, mass), (4, mass), (8, inertia)] {
-            let x = &mut self.blocks[9 * body + k];
-            *x = x.max(least);
+        let (n, linear) = (self.dof, self.linear);
+        let block = &mut self.blocks[n * n * body..n * n * (body + 1)];
+        let missing = inertia - least_inertia(block, linear);
+        for k in 0..n {
+            let x = &mut block[(n + 1) * k];
+            if k < linear {
+                *x = x.max(mass);
+            } else if missing > 0.0 {
+                *x += missing;
+            }
         }
     }
 
+    /// Inverts the block of a body: masses on the diagonal, and the inertia tensor.
     fn invert(&mut self, body: usize) {
-        for k in [9 * body, 9 * body + 4, 9 * body + 8] {
-            self.inverse[k] = 1.0 / self.blocks[k];
+        let (n, linear) = (self.dof, self.linear);
+        let block = &self.blocks[n * n * body..n * n * (body + 1)];
+        let inverse = &mut self.inverse[n * n * body..n * n * (body + 1)];
+        for k in 0..linear {
+            inverse[(n + 1) * k] = 1.0 / block[(n + 1) * k];
+        }
+        if n == linear + 1 {
+            inverse[(n + 1) * linear] = 1.0 / block[(n + 1) * linear];
+            return;
+        }
+        let tensor = Matrix3::from_fn(|i, j| block[(linear + i) * n + linear + j]);
+        // The tensor is positive definite: given so, or raised above.
+        let tensor = tensor.try_inverse().unwrap_or_else(Matrix3::zeros);
+        for i in 0..3 {
+            for j in 0..3 {
+                inverse[(linear + i) * n + linear + j] = tensor[(i, j)];
+            }
         }
     }
 }
 
+/// Least moment of inertia of a mass block about any axis.
+fn least_inertia(block: &[f64], linear: usize) -> f64 {
+    let n = if linear == 2 { 3 } else { 6 };
+    if n == linear + 1 {
+        return block[(n + 1) * linear];
+    }
+    let tensor = Matrix3::from_fn(|i, j| block[(linear + i) * n + linear + j]);
+    tensor.symmetric_eigenvalues().min()
+}
+
 /// What each body may be lent: a part of the mass around it, and that on the longest arm of its joints.
-fn loans(system: &System<Planar>) -> Vec<Loan> {
+fn loans<S: Space>(system: &System<S>) -> Vec<Loan> {
     let masses = masses_around(system);
     let mut arms = vec![0.0_f64; system.bodies.len()];
     for &m in system.elements.iter().flat_map(|e| &e.markers) {
         let marker = &system.markers[m];
         if let Some(b) = marker.body {
-            arms[b] = arms[b].max(marker.frame.at.norm());
+            arms[b] = arms[b].max(S::arm(&marker.frame));
         }
     }
     let loan = |(b, mass): (usize, f64)| {
         let arm = if arms[b] > 0.0 { arms[b] } else { system.size };
         let (mass, inertia) = (LOAN * mass, LOAN * mass * arm * arm);
-        let own = [system.mass[9 * b], system.mass[9 * b + 8]];
+        let own = [
+            system.mass_block(b)[0],
+            least_inertia(system.mass_block(b), S::LINEAR),
+        ];
         Loan {
             mass,
             inertia,
@@ -144,7 +186,7 @@ fn loans(system: &System<Planar>) -> Vec<Loan> {
 }
 
 /// For each body its own mass, or, where that is zero or tiny, the geometric mean of the masses around it.
-fn masses_around(system: &System<Planar>) -> Vec<f64> {
+fn masses_around<S: Space>(system: &System<S>) -> Vec<f64> {
     let n = system.bodies.len();
     let mut joined = UnionFind::new(n);
     for e in &system.elements {
@@ -155,11 +197,11 @@ fn masses_around(system: &System<Planar>) -> Vec<f64> {
     let mut heaviest = vec![0.0_f64; n];
     for b in 0..n {
         let root = joined.root(b);
-        heaviest[root] = heaviest[root].max(system.mass[9 * b]);
+        heaviest[root] = heaviest[root].max(system.mass_block(b)[0]);
     }
     let mut known: Vec<Option<f64>> = (0..n)
         .map(|b| {
-            let mass = system.mass[9 * b];
+            let mass = system.mass_block(b)[0];
             (mass > LIGHT * heaviest[joined.root(b)]).then_some(mass)
         })
         .collect();

@@ -4,6 +4,9 @@
 mod body;
 mod compiled;
 mod element;
+#[cfg(test)]
+mod manipulator_test;
+mod masses;
 mod metric;
 mod plan;
 mod row_scales;

@@ -19,7 +19,7 @@ impl<S: Space> System<S> {
             return;
         }
         let here = self.scaled_gradients(&self.estimate.q);
-        let linear = linear_components::<S>();
+        let linear = S::LINEAR;
         let mut moved = self.estimate.q.clone();
         for (k, x) in moved.iter_mut().enumerate() {
             // Uneven steps, so that differences of coordinates change too.
@@ -45,7 +45,7 @@ impl<S: Space> System<S> {
         let still = vec![0.0; self.nv()];
         self.update_markers(q, &still, &mut ws);
         self.evaluate_constraints(self.estimate.t, &mut ws);
-        let linear = linear_components::<S>();
+        let linear = S::LINEAR;
         let mut norms = vec![0.0_f64; self.rows];
         self.each_block(|e, _, at| {
             for (r, row) in e.rows.clone().enumerate() {
@@ -57,9 +57,4 @@ impl<S: Space> System<S> {
         });
         norms
     }
-}
-
-/// Linear components come first: 2 of 3 in the plane, 3 of 6 in space.
-fn linear_components<S: Space>() -> usize {
-    if S::NV == 3 { 2 } else { 3 }
 }

@@ -35,6 +35,8 @@ pub struct Workspace<S: Space> {
     pub rhs: Vec<f64>,
     /// The solver.
     pub saddle: Saddle,
+    /// Q_v of every body; empty where a space has none.
+    pub(super) gyroscopic: Vec<S::Twist>,
     pub(super) local_markers: Vec<S::Marker>,
     pub(super) gradient: Vec<S::Twist>,
     zero_aux: Vec<f64>,
@@ -69,6 +71,14 @@ impl<S: Space> Workspace<S> {
             lambda: vec![0.0; system.rows],
             rhs: vec![0.0; system.rows],
             saddle,
+            gyroscopic: vec![
+                S::Twist::default();
+                if S::GYROSCOPIC {
+                    system.bodies.len()
+                } else {
+                    0
+                }
+            ],
             local_markers: vec![S::Marker::default(); max_markers],
             gradient: vec![S::Twist::default(); (max_rows.max(1)) * max_markers],
             zero_aux: vec![0.0; system.aux],

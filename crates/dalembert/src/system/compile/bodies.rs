@@ -7,7 +7,7 @@ use crate::joint::{MeasureRow, MeasureRows, PlanarMeasure};
 use crate::model::CoordinateName;
 use crate::signal::SignalKind;
 use crate::space::PlanarFrame;
-use crate::system::{BodyData, ElementData, Metric, Phase, Role, System, TraceData};
+use crate::system::{BodyData, ElementData, Phase, Role, TraceData};
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 use smallvec::{SmallVec, smallvec};
@@ -211,37 +211,5 @@ impl Context<'_> {
                 observer,
             });
         }
-    }
-}
-
-impl System<crate::space::Planar> {
-    /// Weighs the bodies and makes the masses regular; the size is set.
-    pub(super) fn set_masses(&mut self) {
-        self.weight = vec![0.0; 3 * self.bodies.len()];
-        for b in 0..self.bodies.len() {
-            let block = &self.mass[9 * b..9 * b + 9];
-            self.weight[3 * b] = block[0] * self.gravity[0];
-            self.weight[3 * b + 1] = block[0] * self.gravity[1];
-        }
-        self.massless = self.bodies.iter().any(|b| b.massless);
-        self.metric = Metric::new(self);
-    }
-
-    /// The characteristic length: the farthest reach of a marker from its body's centre, or, where
-    /// all are at their centres, the extent of the estimate.
-    pub(super) fn set_size(&mut self) {
-        let arms = self
-            .markers
-            .iter()
-            .filter(|m| m.body.is_some())
-            .map(|m| m.frame.at.norm())
-            .fold(0.0, f64::max);
-        let mut extent: f64 = 0.0;
-        for b in 0..self.bodies.len() {
-            let x = &self.estimate.q[3 * b..];
-            extent = extent.max(x[0].hypot(x[1]));
-        }
-        let size = if arms > 0.0 { arms } else { extent };
-        self.size = if size > 0.0 { size } else { 1.0 };
     }
 }
