@@ -5,7 +5,7 @@ use super::weights::Weights;
 use super::{AnalysisError, ChangedRate};
 use crate::formulation::column_scale;
 use crate::joint::RowUnit;
-use crate::space::Space;
+use crate::space::{Space, Tuple};
 use crate::system::Phase;
 use crate::system::{State, System, Workspace};
 
@@ -168,7 +168,7 @@ fn changed_velocities<S: Space>(
     report: &mut AssemblyReport,
 ) {
     let n = S::NV;
-    let linear = if n == 3 { 2 } else { 3 };
+    let linear = S::LINEAR;
     for (b, body) in system.bodies.iter().enumerate() {
         let own = |x: &[f64], part: std::ops::Range<usize>| {
             x[b * n + part.start..b * n + part.end].to_vec()
@@ -220,17 +220,20 @@ fn fastest<S: Space>(system: &System<S>, v: &[f64]) -> f64 {
 }
 
 fn moved<S: Space>(system: &System<S>, from: &[f64], to: &[f64], tolerance: f64) -> Vec<Moved> {
-    let n = S::NV;
+    let mut step = S::Twist::zero();
     let mut list: Vec<Moved> = system
         .bodies
         .iter()
         .enumerate()
         .map(|(b, body)| {
-            let d = |k: usize| to[b * n + k] - from[b * n + k];
+            let own = b * S::NQ..(b + 1) * S::NQ;
+            S::difference(&from[own.clone()], &to[own], step.as_mut_slice());
+            let (linear, angular) = step.as_slice().split_at(S::LINEAR);
+            let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
             Moved {
                 body: body.name.clone(),
-                distance: d(0).hypot(d(1)),
-                turn: d(n - 1).abs(),
+                distance: norm(linear),
+                turn: norm(angular),
             }
         })
         .filter(|m| m.distance > tolerance * system.size || m.turn > tolerance)

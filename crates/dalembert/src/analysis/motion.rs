@@ -193,7 +193,7 @@ impl Ode for Motion<'_> {
         let (nq, nv) = (self.system.nq(), self.system.nv());
         dydt[..nq].copy_from_slice(&y[nq..nq + nv]);
         dydt[nq..nq + nv].copy_from_slice(&self.ws.a);
-        dydt[nq + nv] = outside_power(self.system, &self.ws, t);
+        dydt[nq + nv] = outside_power(self.system, &mut self.ws, t);
         Ok(())
     }
 

@@ -50,16 +50,6 @@ const STAGNATION: f64 = 1e-10;
 /// Largest turn of a body in one iteration [rad]: beyond it the linear model means nothing.
 const LARGEST_TURN: f64 = 0.5;
 
-/// Adds factor * step to the positions.
-pub(super) fn add_step<S: Space>(system: &System<S>, q: &mut [f64], factor: f64, step: &[f64]) {
-    // In the plane positions and velocities have the same layout.
-    debug_assert_eq!(S::NQ, S::NV);
-    debug_assert_eq!(system.nq(), q.len());
-    for (x, d) in q.iter_mut().zip(step) {
-        *x += factor * d;
-    }
-}
-
 /// Moves `state.q` onto C(q, t) = 0, as little as possible in the metric of the weights
 /// (Shabana 3.109 to 3.117; for a machine with freedoms the least-change solution).
 pub(super) fn correct_positions<S: Space>(
@@ -102,7 +92,7 @@ pub(super) fn correct_positions<S: Space>(
         let mut halvings = 0;
         let reached = loop {
             trial.copy_from_slice(&state.q);
-            add_step(system, trial, factor, &step);
+            system.advance(trial, factor, &step);
             system.update_markers(trial, &state.v, ws);
             system.evaluate_constraints(state.t, ws);
             let residual = system.violation(ws).0;
@@ -133,7 +123,7 @@ pub(super) fn correct_positions<S: Space>(
 
 fn largest_turn<S: Space>(system: &System<S>, step: &[f64]) -> f64 {
     let n = S::NV;
-    let linear = if n == 3 { 2 } else { 3 };
+    let linear = S::LINEAR;
     let mut worst: f64 = 0.0;
     for b in 0..system.bodies.len() {
         for k in 0..n {

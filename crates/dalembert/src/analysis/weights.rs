@@ -16,8 +16,7 @@ pub(super) struct Weights {
 impl Weights {
     pub fn new<S: Space>(system: &System<S>, knowledge: &[f64]) -> Self {
         let n = S::NV;
-        // The linear coordinates come first; in the plane 2 of 3, in space 3 of 6.
-        let linear = if n == 3 { 2 } else { 3 };
+        let linear = S::LINEAR;
         let mut blocks = vec![0.0; system.mass.len()];
         let mut inverse = blocks.clone();
         for b in 0..system.bodies.len() {

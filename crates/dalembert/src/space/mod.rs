@@ -59,6 +59,11 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     fn pull(marker: &Self::Marker, wrench: &Self::Twist) -> Self::Twist;
     /// Carries velocity coordinates of the body to the twist at a marker: the transpose of `pull`.
     fn push(marker: &Self::Marker, velocity: &Self::Twist) -> Self::Twist;
+    /// Point of a marker in ground axes [m]; z is zero in the plane.
+    fn point(marker: &Self::Marker) -> [f64; 3];
+    /// Carries a momentum or force of a body's velocity coordinates, at its centre of mass, to the ground's origin and
+    /// axes.
+    fn at_origin(center: &Self::Marker, momentum: &Self::Twist) -> Self::Twist;
     /// Rates q' (NQ) of a body with velocities `v` (NV).
     fn rate(q: &[f64], v: &[f64], out: &mut [f64]);
     /// Moves a body by a step in its velocity coordinates: the point that is reached in unit time with constant

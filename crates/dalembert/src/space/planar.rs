@@ -130,6 +130,14 @@ impl Space for Planar {
         Vector3::new(v.x - v.z * m.arm.y, v.y + v.z * m.arm.x, v.z)
     }
 
+    fn point(m: &PlanarMarker) -> [f64; 3] {
+        [m.point.x, m.point.y, 0.0]
+    }
+
+    fn at_origin(m: &PlanarMarker, h: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(h.x, h.y, h.z + m.point.x * h.y - m.point.y * h.x)
+    }
+
     fn rate(_: &[f64], v: &[f64], out: &mut [f64]) {
         out.copy_from_slice(v);
     }

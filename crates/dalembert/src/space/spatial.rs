@@ -162,6 +162,15 @@ impl Space for Spatial {
         join(&(linear + omega.cross(&m.arm)), &omega)
     }
 
+    fn point(m: &SpatialMarker) -> [f64; 3] {
+        m.point.into()
+    }
+
+    fn at_origin(m: &SpatialMarker, h: &Vector6<f64>) -> Vector6<f64> {
+        let (linear, angular) = parts(h);
+        join(&linear, &(m.body * angular + m.point.cross(&linear)))
+    }
+
     fn rate(q: &[f64], v: &[f64], out: &mut [f64]) {
         out[..3].copy_from_slice(&v[..3]);
         // b' = Gbar^T omegabar / 4 (Shabana 8.26): half the product of b and (0, omegabar).

@@ -7,6 +7,12 @@ use std::fmt::Debug;
 pub trait Tuple: Copy + Debug + Default + Send + Sync + 'static {
     /// All components zero.
     fn zero() -> Self;
+    /// The components of a slice of the same length.
+    fn of(components: &[f64]) -> Self {
+        let mut tuple = Self::zero();
+        tuple.as_mut_slice().copy_from_slice(components);
+        tuple
+    }
     /// Scalar product.
     fn dot(&self, other: &Self) -> f64;
     /// self += factor * other.

@@ -412,6 +412,31 @@ impl<S: Space> System<S> {
         }
     }
 
+    /// Power of the force elements beyond what their potentials lose [W].
+    pub fn force_power(&self, t: f64, ws: &mut Workspace<S>) -> f64 {
+        let Workspace {
+            markers,
+            local_markers,
+            gradient,
+            ..
+        } = ws;
+        let mut power = 0.0;
+        for f in &self.forces {
+            let nm = f.markers.len();
+            for (slot, &m) in local_markers.iter_mut().zip(&f.markers) {
+                *slot = markers[m];
+            }
+            let (seen, wrench) = (&local_markers[..nm], &mut gradient[..nm]);
+            wrench.fill(S::Twist::zero());
+            f.element.wrenches(t, seen, wrench);
+            power += f.element.report(t, seen).potential_rate;
+            for (w, m) in wrench.iter().zip(seen) {
+                power += w.dot(&S::twist(m));
+            }
+        }
+        power
+    }
+
     /// out = M v on the bodies.
     pub fn mass_mul(&self, v: &[f64], out: &mut [f64]) {
         let n = S::NV;

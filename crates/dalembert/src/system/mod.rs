@@ -9,6 +9,7 @@ mod manipulator_test;
 mod masses;
 mod metric;
 mod plan;
+mod positions;
 mod row_scales;
 mod state;
 mod workspace;
