@@ -4,7 +4,7 @@ use crate::arguments::{RunArgs, ViewAnalysis, ViewArgs};
 use crate::failure::Failure;
 use crate::load::{beside, load_run};
 use crate::summary;
-use dalembert::analysis::{Dynamics, Kinematics};
+use dalembert::analysis::{AnalysisError, Dynamics, Kinematics};
 
 /// Runs the machine, writes the page and prints the summary of the run.
 pub fn run(args: &ViewArgs) -> Result<(), Failure> {
@@ -36,7 +36,8 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
         // A machine that its drivers do not move completely is simulated.
         ViewAnalysis::Auto if driven => match kinematics.run(system) {
             Ok(run) => (run.results, run.assembly, run.stopped),
-            Err(_) => dynamics()?,
+            Err(AnalysisError::NotDriven { .. }) => dynamics()?,
+            Err(error) => return Err(error.into()),
         },
         ViewAnalysis::Auto => dynamics()?,
     };

@@ -10,7 +10,7 @@ use crate::system::{Role, State, System, Workspace};
 const AHEAD: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
 
 /// The error behind a run that stopped after a good state, where it is a contradiction: rows that depend on each other
-/// in this pose, a driver among them, ask for different motions from here on.
+/// in this pose, several drivers among them, ask for different motions from here on.
 pub(super) fn contradiction(
     system: &System<Planar>,
     good: &State,
@@ -32,11 +32,11 @@ pub(super) fn contradiction(
             .find_map(|found| {
                 let among =
                     |e: &crate::system::ElementData<Planar>| found.elements.contains(&e.name);
-                let driven = system
-                    .elements
-                    .iter()
-                    .any(|e| among(e) && e.role == Role::Driver);
-                let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
+                // One driver alone is at a dead centre, where its rows depend on the joints' in this pose only.
+            let drivers = system.elements.iter();
+            let drivers = drivers.filter(|e| among(e) && e.role == Role::Driver);
+            let driven = drivers.count() > 1;
+            let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
                 (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
                     time: good.t,
                     elements: crate::words::listed(&found.elements),

@@ -1,9 +1,13 @@
 //! Machines with bodies that lack mass or inertia, or have next to none.
 
 use super::AnalysisError;
-use crate::formulation::{FormulationError, general};
+use crate::formulation::{FormulationError, column_scale, general};
 use crate::space::Planar;
 use crate::system::{Metric, System, Workspace};
+use crate::words::listed;
+
+/// Accelerations beyond this, where what was lent would give a few units, belong to masses of rounding size.
+const WITHOUT_END: f64 = 1e10;
 
 /// Makes sure that no motion lacks both mass and constraint; the Jacobian of the workspace is that of the start.
 ///
@@ -26,13 +30,22 @@ pub(super) fn check(
     }
     ws.rhs.fill(0.0);
     metric.factor(system, ws);
-    if ws.solve(&system.mass, &force).converged {
-        return Ok(());
+    if !ws.solve(&system.mass, &force).converged {
+        std::mem::swap(&mut ws.force, &mut force);
+        let found = dense(system, ws);
+        std::mem::swap(&mut ws.force, &mut force);
+        found?;
     }
-    std::mem::swap(&mut ws.force, &mut force);
-    let found = dense(system, ws);
-    std::mem::swap(&mut ws.force, &mut force);
-    found
+    // What was lent would turn by some radians: mass that is there by rounding only turns without end.
+    let scale = column_scale(system);
+    let scaled = ws.a.iter().zip(&scale).map(|(a, s)| (a / s).abs());
+    let fastest = scaled.enumerate().max_by(|x, y| x.1.total_cmp(&y.1));
+    match fastest {
+        Some((k, rate)) if rate > WITHOUT_END => Err(AnalysisError::Massless {
+            names: system.coordinate_names().swap_remove(k),
+        }),
+        _ => Ok(()),
+    }
 }
 
 /// Solves the equations of the workspace as one dense matrix: for poses where refinement fails. Allocates.
@@ -46,9 +59,9 @@ pub(super) fn dense(
     match general(system, ws) {
         Err(FormulationError::Massless { coordinates }) => {
             let names = system.coordinate_names();
-            let names: Vec<&str> = coordinates.iter().map(|&k| names[k].as_str()).collect();
+            let names: Vec<String> = coordinates.iter().map(|&k| names[k].clone()).collect();
             Err(AnalysisError::Massless {
-                names: names.join(", "),
+                names: listed(&names),
             })
         }
         // Whatever else it says of the equations, the best answer so far stays in the workspace.
@@ -58,9 +71,9 @@ pub(super) fn dense(
 
 /// A warning about bodies that were lent inertia during a run.
 pub(super) fn note(system: &System<Planar>, metric: &Metric) -> Option<String> {
-    let names: Vec<&str> = metric
+    let names: Vec<String> = metric
         .borrowers()
-        .map(|b| system.bodies[b].name.as_str())
+        .map(|b| system.bodies[b].name.clone())
         .collect();
     let them = match names.len() {
         0 => return None,
@@ -70,7 +83,7 @@ pub(super) fn note(system: &System<Planar>, metric: &Metric) -> Option<String> {
     Some(format!(
         "warning: {} weigh{} next to nothing against the bodies around: {them} solved like bodies without mass, and \
          forces that only such small masses make are lost in rounding",
-        names.join(", "),
+        listed(&names),
         if names.len() == 1 { "s" } else { "" },
     ))
 }

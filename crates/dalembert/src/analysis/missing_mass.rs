@@ -2,21 +2,22 @@
 
 use crate::space::Planar;
 use crate::system::System;
+use crate::words::listed;
 
 /// What a user must know of bodies without mass before trusting forces.
 pub(super) fn note(system: &System<Planar>) -> Option<String> {
-    let without: Vec<&str> = system
+    let without: Vec<String> = system
         .bodies
         .iter()
         .enumerate()
-        .filter(|(b, _)| system.mass[9 * b] == 0.0)
-        .map(|(_, body)| body.name.as_str())
+        .filter(|(b, _)| system.mass_block(*b)[0] == 0.0)
+        .map(|(_, body)| body.name.clone())
         .collect();
     if without.is_empty() {
         return None;
     }
     Some(format!(
         "warning: no mass is given for {}: neither gravity nor inertia loads the machine there",
-        without.join(", ")
+        listed(&without)
     ))
 }

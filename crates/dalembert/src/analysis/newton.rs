@@ -50,6 +50,9 @@ const STAGNATION: f64 = 1e-10;
 /// Largest turn of a body in one iteration [rad]: beyond it the linear model means nothing.
 const LARGEST_TURN: f64 = 0.5;
 
+/// Most steps of the largest turn that are not counted: some thousand turns.
+const MOST_LIMITED: usize = 20_000;
+
 /// Moves `state.q` onto C(q, t) = 0, as little as possible in the metric of the weights
 /// (Shabana 3.109 to 3.117; for a machine with freedoms the least-change solution).
 pub(super) fn correct_positions<S: Space>(
@@ -61,6 +64,7 @@ pub(super) fn correct_positions<S: Space>(
     trial: &mut Vec<f64>,
 ) -> Result<NewtonReport, AnalysisError> {
     let mut report = NewtonReport::default();
+    let mut limited = 0;
     trial.clear();
     trial.extend_from_slice(&state.q);
     system.update_markers(&state.q, &state.v, ws);
@@ -68,7 +72,9 @@ pub(super) fn correct_positions<S: Space>(
     report.residual = system.violation(ws).0;
     let tolerance = options.tolerance.max(system.rounding(&state.q));
     while report.residual > tolerance {
-        if report.iterations >= options.max_iterations || !report.residual.is_finite() {
+        // Steps on the way around many turns are not counted: they come nearer by what they may.
+        let counted = report.iterations - limited.min(MOST_LIMITED);
+        if counted >= options.max_iterations || !report.residual.is_finite() {
             return fail(system, ws, state, report);
         }
         ws.factor(&weights.inverse);
@@ -81,11 +87,11 @@ pub(super) fn correct_positions<S: Space>(
         if !turn.is_finite() {
             return fail(system, ws, state, report);
         }
-        let mut factor = if turn > LARGEST_TURN {
-            LARGEST_TURN / turn
-        } else {
-            1.0
-        };
+        let mut factor = 1.0;
+        if turn > LARGEST_TURN {
+            factor = LARGEST_TURN / turn;
+            limited += 1;
+        }
         let step = std::mem::take(&mut ws.a);
         // Step control: halve until the largest residual falls; a full step may also raise it
         // a little on the way around a bend.

@@ -1,5 +1,6 @@
 //! Which reactions of a run were not unique, and where.
 
+use crate::words::listed;
 use std::collections::BTreeMap;
 
 /// Counts the poses of a run at which the reactions of elements were not unique.
@@ -64,7 +65,7 @@ impl OpenReactions {
 pub(super) fn sentence(names: &[&str]) -> String {
     format!(
         "the reactions of {} are not unique; the least set is given (least sum of squares, forces times the size of the machine)",
-        names.join(", ")
+        listed(&names.iter().map(|&n| n.to_owned()).collect::<Vec<_>>())
     )
 }
 

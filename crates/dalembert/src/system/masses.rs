@@ -3,6 +3,9 @@
 use super::{Metric, System};
 use crate::space::Space;
 
+/// Lengths below this part of the extent of a machine are rounding.
+const ROUNDING: f64 = 1e-12;
+
 impl<S: Space> System<S> {
     /// The characteristic length: the farthest reach of a marker from its body's centre, or, where
     /// all are at their centres, the extent of the estimate.
@@ -15,7 +18,8 @@ impl<S: Space> System<S> {
             .fold(0.0, f64::max);
         let bodies = self.estimate.q.chunks_exact(S::NQ).take(self.bodies.len());
         let extent = bodies.map(|q| S::reach(q)[0]).fold(0.0, f64::max);
-        let size = if arms > 0.0 { arms } else { extent };
+        // Arms of rounding size, like that of cos(90 deg), are none.
+        let size = if arms > ROUNDING * extent { arms } else { extent };
         self.size = if size > 0.0 { size } else { 1.0 };
     }
 

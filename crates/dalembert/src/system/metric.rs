@@ -17,6 +17,9 @@ const DOUBTFUL: f64 = 1e-7;
 /// Bodies below this part of the heaviest one that they are joined to say nothing about the masses around them.
 const LIGHT: f64 = 1e-6;
 
+/// Arms below this part of the machine's size are rounding.
+const LEAST_ARM: f64 = 1e-6;
+
 /// Positive definite blocks near the mass matrix, laid out like it, and their inverses.
 ///
 /// [`Saddle`](crate::solve::Saddle) factors the inverse of these blocks and refines its solutions against the mass
@@ -169,7 +172,9 @@ fn loans<S: Space>(system: &System<S>) -> Vec<Loan> {
         }
     }
     let loan = |(b, mass): (usize, f64)| {
-        let arm = if arms[b] > 0.0 { arms[b] } else { system.size };
+        // An arm of rounding size, like that of cos(90 deg), is none.
+        let real = arms[b] > LEAST_ARM * system.size;
+        let arm = if real { arms[b] } else { system.size };
         let (mass, inertia) = (LOAN * mass, LOAN * mass * arm * arm);
         let own = [
             system.mass_block(b)[0],

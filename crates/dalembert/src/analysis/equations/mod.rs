@@ -99,6 +99,9 @@ impl Equations {
         let not_unique = (0..system.rows).filter(|&row| !least.unique(row));
         let not_unique: Vec<String> = not_unique.map(|row| rows[row].clone()).collect();
         notes.solution(&solution, &names);
+        if let Ok(found) = &solution {
+            notes.contradiction(system, &at.terms, &found.a, &state.v);
+        }
         let solution = solution.ok();
         let acceleration = solution.as_ref().map(|s| s.a.as_slice());
 

@@ -1,13 +1,17 @@
 //! What a reader should know about the numbers.
 
 use crate::analysis::open_reactions::sentence;
-use crate::formulation::{Accelerations, FormulationError, MotionBasis};
+use crate::formulation::{Accelerations, FormulationError, MotionBasis, Terms};
 use crate::space::Planar;
 use crate::system::{State, System, Workspace};
+use crate::words::readable;
 use nalgebra::DVector;
 
 /// Violations above this (relative to the machine's size) are mentioned.
 const VIOLATION: f64 = 1e-8;
+
+/// Accelerations below this are rounding [1/s^2].
+const ROUNDING: f64 = 1e-9;
 
 /// The notes of a report.
 #[derive(Debug, Default)]
@@ -69,10 +73,6 @@ impl Notes {
         names: &[String],
     ) {
         match solution {
-            Ok(found) if found.residual > VIOLATION => self.lines.push(format!(
-                "redundant constraints contradict each other: the accelerations leave {:.3e} of Q_d",
-                found.residual
-            )),
             Ok(_) => {}
             Err(FormulationError::Massless { coordinates }) => {
                 let list: Vec<&str> = coordinates.iter().map(|&k| names[k].as_str()).collect();
@@ -82,6 +82,27 @@ impl Notes {
                 ));
             }
             Err(e) => self.lines.push(format!("no accelerations: {e}")),
+        }
+    }
+
+    /// Rows that the accelerations do not meet: redundant ones that ask for different accelerations.
+    ///
+    /// What counts is the largest acceleration, or the square of the fastest rate, in units of the machine's size: a
+    /// machine at rest has nothing but rounding in Q_d.
+    pub fn contradiction(&mut self, system: &System<Planar>, terms: &Terms, a: &[f64], v: &[f64]) {
+        let scaled = |x: &[f64]| {
+            let rates = x.iter().zip(&terms.column_scale);
+            rates.fold(0.0_f64, |m, (x, s)| m.max((x / s).abs()))
+        };
+        let natural = scaled(a).max(scaled(v).powi(2)).max(ROUNDING);
+        let left = &terms.jacobian * DVector::from_column_slice(a) - &terms.qd;
+        let (worst, row) = system.largest(left.as_slice());
+        if worst > VIOLATION * natural {
+            self.lines.push(format!(
+                "warning: redundant constraints contradict each other: the accelerations miss Q_d of {} by {}",
+                system.row_name(row),
+                readable(left[row].abs())
+            ));
         }
     }
 
