@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs every check of the project: format, lints, docs, all tests. Needs Rust and Node.
+# Runs every check of the project: format, lints, docs, all tests. Needs Rust, Node and Python 3.
 set -euo pipefail
 cd "$(dirname "$0")"
 

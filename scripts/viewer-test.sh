@@ -5,7 +5,7 @@
 #   scripts/viewer-test.sh [PROGRAM]      PROGRAM: default target/debug/dalembert
 #
 # PICTURES=folder keeps the pictures. Without Chromium (root installs it with apt-get) the test is
-# skipped; with REQUIRE_CHROMIUM=1, as in CI, it then fails.
+# skipped; with REQUIRE_CHROMIUM=1 it then fails.
 set -euo pipefail
 
 program=${1:-${CARGO_TARGET_DIR:-target}/debug/dalembert}

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use dalembert::diagnostic::Diagnostic;
 use dalembert::model::{Model, Value};
 use dalembert::system::compile::{Compiled, compile};
+use dalembert::words::counted;
 use dalembert_io::model_file::{Parsed, parse_model, render, to_json};
 use std::io::IsTerminal;
 use std::path::Path;
@@ -31,6 +32,9 @@ impl Loaded {
     }
 }
 
+/// Most mistakes that are shown to people; a file of another kind has one in every line.
+const MOST_SHOWN: usize = 30;
+
 /// Reads and compiles a model file; prints warnings for people.
 pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Failure> {
     load_given(args, change, &[])
@@ -49,7 +53,21 @@ fn load_given(
     let name = args.model.display().to_string();
     let for_people = |parsed: &Parsed| {
         let color = std::io::stderr().is_terminal();
-        render(&parsed.diagnostics, &parsed.source, &name, &text, color)
+        let shown = &parsed.diagnostics[..parsed.diagnostics.len().min(MOST_SHOWN)];
+        let mut out = render(shown, &parsed.source, &name, &text, color);
+        if parsed.diagnostics.len() > shown.len() {
+            let rest = parsed.diagnostics.len() - shown.len();
+            out.push_str(&format!(
+                "and {} more; --json lists all\n",
+                counted(rest, "mistake")
+            ));
+            if text.trim_start().starts_with(['{', '[', '<']) && !text.contains("[model]") {
+                out.push_str(
+                    "this does not look like a model file: those are TOML (see 'dalembert new')\n",
+                );
+            }
+        }
+        out
     };
     let for_programs = |parsed: &Parsed| to_json(&parsed.diagnostics, &parsed.source, &name, &text);
     let mistakes = |parsed: &Parsed| Failure::Model {

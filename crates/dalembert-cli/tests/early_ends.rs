@@ -173,21 +173,23 @@ free_length = 0.1
 }
 
 #[test]
-fn changed_rates_are_a_warning() {
+fn rates_that_contradict_are_refused() {
     let rates = "[[initial]]\nkind = \"displacement\"\njoint = \"guide\"\nrate = 2\n[[initial]]\nkind = \"coordinate\"\nbody = \"block\"\ncoordinate = \"x\"\nrate = 1\n";
-    let (ended, _) = run("rates", &format!("{BLOCK}{rates}"), &["simulate"]);
-    assert_eq!(ended.code, 0, "{}", ended.err);
-    let warning = ended
-        .out
-        .lines()
-        .find(|l| l.starts_with("  warning: the initial rate of "));
-    let warning = warning.unwrap_or_else(|| panic!("{}", ended.out));
-    assert!(
-        warning.contains("cannot hold: stated ") && warning.contains(" m/s, changed to "),
-        "{warning}"
-    );
+    let text = format!("{BLOCK}{rates}");
+    for command in ["check", "simulate"] {
+        let file = folder("rates").join("model.toml");
+        std::fs::write(&file, &text).unwrap();
+        let ended = dalembert(&[command, file.to_str().unwrap()]);
+        assert_eq!(ended.code, 1, "{}{}", ended.out, ended.err);
+        let said = format!("{}{}", ended.out, ended.err);
+        assert!(
+            said.contains("cannot hold: stated ") && said.contains("the nearest that fits"),
+            "{said}"
+        );
+    }
     let fitting = rates.replace("rate = 1", "rate = 2");
     let (ended, _) = run("rates", &format!("{BLOCK}{fitting}"), &["simulate"]);
+    assert_eq!(ended.code, 0, "{}", ended.err);
     assert!(!ended.out.contains("warning"), "{}", ended.out);
 }
 

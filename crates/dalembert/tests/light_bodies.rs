@@ -146,7 +146,7 @@ fn a_motion_that_nothing_holds_ends_the_run_before_it_starts() {
     let Err(AnalysisError::Massless { names }) = run(model) else {
         panic!("not found")
     };
-    assert_eq!(names, "bob.x, bob.y, bob.angle");
+    assert_eq!(names, "bob.x, bob.y and bob.angle");
 }
 
 #[test]

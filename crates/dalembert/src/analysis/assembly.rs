@@ -8,6 +8,7 @@ use crate::joint::RowUnit;
 use crate::space::{Space, Tuple};
 use crate::system::Phase;
 use crate::system::{State, System, Workspace};
+use std::f64::consts::PI;
 
 /// Part of the fastest rate up to which a rate counts as met.
 const RATE: f64 = 1e-8;
@@ -59,34 +60,40 @@ impl Assembly {
         let mut ws = Workspace::new(&positions);
         let weights = Weights::new(&positions, &system.position_weight);
         let mut trial = Vec::new();
-        let newton = match correct_positions(
-            &positions,
-            &mut ws,
-            &mut state,
-            &weights,
-            &self.newton,
-            &mut trial,
-        ) {
-            // A body of unknown angle turns first, but a turn reaches no farther than its arm: then
-            // everything moves alike.
-            Err(first @ AnalysisError::NotAssembled { .. }) if uneven(&system.position_weight) => {
-                state = system.estimate.clone();
-                correct_positions(
-                    &positions,
-                    &mut ws,
-                    &mut state,
-                    &Weights::even(&positions),
-                    &self.newton,
-                    &mut trial,
-                )
-                .map_err(|_| first)
+        let mut solve = |state: &mut State, weights: &Weights| {
+            correct_positions(
+                &positions,
+                &mut ws,
+                state,
+                weights,
+                &self.newton,
+                &mut trial,
+            )
+        };
+        let mut newton = solve(&mut state, &weights);
+        let even = Weights::even(&positions);
+        if let Err(first @ AnalysisError::NotAssembled { .. }) = newton {
+            // A body of unknown angle turns first, but a turn reaches no farther than its arm: then everything moves
+            // alike. And where bodies stand in a line, no small motion brings them nearer: then from beside it.
+            newton = Err(first);
+            for attempt in 0..=ATTEMPTS {
+                if attempt == 0 && !uneven(&system.position_weight) {
+                    continue;
+                }
+                let mut start = system.estimate.clone();
+                beside(system, &mut start.q, attempt);
+                if let Ok(found) = solve(&mut start, &even) {
+                    state = start;
+                    newton = Ok(found);
+                    break;
+                }
             }
-            other => other,
-        }?;
+        }
+        let newton = newton?;
         report.iterations = newton.iterations;
         report.moved = moved(system, &system.estimate.q, &state.q, 1e-9);
 
-        self.velocities(system, &mut state, &mut report);
+        self.velocities(system, &mut state, &mut report)?;
         if let Some(k) = state.q.iter().chain(&state.v).position(|x| !x.is_finite()) {
             let n = state.q.len();
             let names = system.coordinate_names();
@@ -105,7 +112,8 @@ impl Assembly {
         system: &System<S>,
         state: &mut State,
         report: &mut AssemblyReport,
-    ) {
+    ) -> Result<(), AnalysisError> {
+        let mut broken = Vec::new();
         let all = system.start_velocities();
         let mut ws = Workspace::new(&all);
         let weights = Weights::new(&all, &system.velocity_weight);
@@ -133,7 +141,7 @@ impl Assembly {
             if e.phase == Phase::StartVelocity {
                 // The row reads measure' - stated = 0, so that C_t = -stated.
                 let stated = -ws.time[row];
-                report.rates_changed.push(ChangedRate {
+                broken.push(ChangedRate {
                     what: format!("the {}", e.name),
                     stated: vec![stated],
                     found: vec![stated + r],
@@ -152,7 +160,32 @@ impl Assembly {
             }
         }
         changed_velocities(system, &state.v, zero, report);
+        if broken.is_empty() {
+            return Ok(());
+        }
+        let conflicts: Vec<String> = broken.iter().map(ChangedRate::conflict).collect();
+        Err(AnalysisError::InitialRates {
+            time: state.t,
+            conflicts: conflicts.join("; "),
+        })
     }
+}
+
+/// Estimates beside the user's that are tried, the nearest first.
+const ATTEMPTS: usize = 6;
+
+/// Turns the bodies of an estimate a little, each by another angle and to alternating sides.
+fn beside<S: Space>(system: &System<S>, q: &mut [f64], attempt: usize) {
+    let mut step = vec![0.0; system.nv()];
+    let size = 0.05 * attempt as f64;
+    for b in 0..system.bodies.len() {
+        for k in S::LINEAR..S::NV {
+            let place = b * S::NV + k + 7 * attempt;
+            // No special angles: golden parts of a turn repeat nowhere.
+            step[b * S::NV + k] = size * (place as f64 * 0.618_033_988_749_895 * 2.0 * PI).cos();
+        }
+    }
+    system.advance(q, 1.0, &step);
 }
 
 /// Are some coordinates better known than others?

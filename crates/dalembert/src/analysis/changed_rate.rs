@@ -33,19 +33,30 @@ fn components(values: &[f64], least: f64) -> String {
     }
 }
 
-impl fmt::Display for ChangedRate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl ChangedRate {
+    /// What was stated, and what there is instead.
+    fn instead(&self, instead: &str) -> String {
         let all = self.stated.iter().chain(&self.found);
         let least = 1e-9 * all.fold(0.0_f64, |m, x| m.max(x.abs()));
         let unit = if self.unit.is_empty() { "" } else { " " };
-        write!(
-            f,
-            "{} cannot hold: stated {}{unit}{}, changed to {}{unit}{}",
+        format!(
+            "{} cannot hold: stated {}{unit}{}, {instead} {}{unit}{}",
             self.what,
             components(&self.stated, least),
             self.unit,
             components(&self.found, least),
             self.unit
         )
+    }
+
+    /// In words, for a rate that must hold.
+    pub(super) fn conflict(&self) -> String {
+        self.instead("the nearest that fits the others is")
+    }
+}
+
+impl fmt::Display for ChangedRate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.instead("changed to"))
     }
 }

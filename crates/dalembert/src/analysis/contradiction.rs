@@ -33,10 +33,10 @@ pub(super) fn contradiction(
                 let among =
                     |e: &crate::system::ElementData<Planar>| found.elements.contains(&e.name);
                 // One driver alone is at a dead centre, where its rows depend on the joints' in this pose only.
-            let drivers = system.elements.iter();
-            let drivers = drivers.filter(|e| among(e) && e.role == Role::Driver);
-            let driven = drivers.count() > 1;
-            let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
+                let drivers = system.elements.iter();
+                let drivers = drivers.filter(|e| among(e) && e.role == Role::Driver);
+                let driven = drivers.count() > 1;
+                let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
                 (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
                     time: good.t,
                     elements: crate::words::listed(&found.elements),

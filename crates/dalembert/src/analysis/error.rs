@@ -51,6 +51,17 @@ pub enum AnalysisError {
         /// What depends on what, and what to do.
         detail: String,
     },
+    /// Initial rates that the constraints, the drivers or each other do not allow.
+    #[error(
+        "the initial rates contradict the constraints, the drivers or each other at t = {} s: {conflicts}; leave one out, or change it",
+        readable(*time)
+    )]
+    InitialRates {
+        /// Time [s].
+        time: f64,
+        /// What was stated and what would be nearest, in words.
+        conflicts: String,
+    },
     /// Drivers and constraints that agree up to a time ask for different motions afterwards.
     #[error(
         "{elements} contradict each other after t = {} s: they ask for different motions; leave one of the drivers out, or change one; results are kept until then",

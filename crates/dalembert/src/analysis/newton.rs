@@ -50,9 +50,6 @@ const STAGNATION: f64 = 1e-10;
 /// Largest turn of a body in one iteration [rad]: beyond it the linear model means nothing.
 const LARGEST_TURN: f64 = 0.5;
 
-/// Most steps of the largest turn that are not counted: some thousand turns.
-const MOST_LIMITED: usize = 20_000;
-
 /// Moves `state.q` onto C(q, t) = 0, as little as possible in the metric of the weights
 /// (Shabana 3.109 to 3.117; for a machine with freedoms the least-change solution).
 pub(super) fn correct_positions<S: Space>(
@@ -72,8 +69,8 @@ pub(super) fn correct_positions<S: Space>(
     report.residual = system.violation(ws).0;
     let tolerance = options.tolerance.max(system.rounding(&state.q));
     while report.residual > tolerance {
-        // Steps on the way around many turns are not counted: they come nearer by what they may.
-        let counted = report.iterations - limited.min(MOST_LIMITED);
+        // Steps on the way around many turns are not counted as long as they come nearer by what they may.
+        let counted = report.iterations - limited;
         if counted >= options.max_iterations || !report.residual.is_finite() {
             return fail(system, ws, state, report);
         }
@@ -90,7 +87,6 @@ pub(super) fn correct_positions<S: Space>(
         let mut factor = 1.0;
         if turn > LARGEST_TURN {
             factor = LARGEST_TURN / turn;
-            limited += 1;
         }
         let step = std::mem::take(&mut ws.a);
         // Step control: halve until the largest residual falls; a full step may also raise it
@@ -109,6 +105,9 @@ pub(super) fn correct_positions<S: Space>(
             factor *= 0.5;
         };
         ws.a = step;
+        if turn > LARGEST_TURN && report.residual - reached > 0.5 * LARGEST_TURN {
+            limited += 1;
+        }
         if reached.is_nan() || reached >= report.residual {
             if report.residual <= tolerance.max(STAGNATION) {
                 system.update_markers(&state.q, &state.v, ws);

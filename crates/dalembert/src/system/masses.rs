@@ -19,7 +19,11 @@ impl<S: Space> System<S> {
         let bodies = self.estimate.q.chunks_exact(S::NQ).take(self.bodies.len());
         let extent = bodies.map(|q| S::reach(q)[0]).fold(0.0, f64::max);
         // Arms of rounding size, like that of cos(90 deg), are none.
-        let size = if arms > ROUNDING * extent { arms } else { extent };
+        let size = if arms > ROUNDING * extent {
+            arms
+        } else {
+            extent
+        };
         self.size = if size > 0.0 { size } else { 1.0 };
     }
 

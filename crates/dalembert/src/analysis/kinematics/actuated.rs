@@ -1,16 +1,22 @@
 //! The forces of a known motion with other actuators.
 
 use super::multipliers::solve_multipliers;
+use super::runner::{DENSE, RECHOOSE};
+use super::watch::{Watch, scaled_jacobian};
 use crate::analysis::AnalysisError;
 use crate::analysis::weights::Weights;
 use crate::space::Planar;
 use crate::system::{Role, State, System, Workspace};
+use crate::words::listed;
 
 /// The forces of a known motion in a machine with actuators instead of drivers.
 pub(super) struct Actuated<'a> {
     pub(super) system: &'a System<Planar>,
     pub(super) ws: Workspace<Planar>,
     weights: Weights,
+    watch: Watch,
+    /// Last instant whose efforts are known.
+    last: f64,
 }
 
 impl<'a> Actuated<'a> {
@@ -18,11 +24,55 @@ impl<'a> Actuated<'a> {
         Self {
             ws: Workspace::new(system),
             weights: Weights::even(system),
+            watch: Watch::none(),
+            last: 0.0,
             system,
         }
     }
 
+    /// Looks for a pose, since the last look, in which the actuators have no grip: there their efforts are infinite.
+    /// Machines with many coordinates are not watched.
+    pub(super) fn look(&mut self, state: &State) -> Result<(), AnalysisError> {
+        let (system, ws) = (self.system, &mut self.ws);
+        if system.nv() > DENSE {
+            return Ok(());
+        }
+        system.update_markers(&state.q, &state.v, ws);
+        system.evaluate_constraints(state.t, ws);
+        let c = scaled_jacobian(system, ws);
+        let before = self.watch.sign;
+        if before == 0.0 || self.watch.rows.len() != c.ncols() {
+            self.watch = Watch::new(&c);
+        } else {
+            self.watch.look(&c);
+            if self.watch.smallest < RECHOOSE && c.nrows() > c.ncols() {
+                // Other rows may hold what these let go; the sign starts anew.
+                self.watch = Watch::new(&c);
+            } else if before * self.watch.sign < 0.0 {
+                return Err(AnalysisError::Singular {
+                    time: state.t,
+                    last: self.last,
+                    kind: "actuators without a grip",
+                    detail: format!(
+                        "on the way to this pose {} had no grip on the motion, and the effort that it takes had no bound; end the motion before, or choose other joints",
+                        self.names()
+                    ),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn names(&self) -> String {
+        let drivers = self.system.elements.iter();
+        let drivers = drivers.filter(|e| e.role == Role::Driver);
+        listed(&drivers.map(|e| e.name.clone()).collect::<Vec<_>>())
+    }
+
     pub(super) fn solve(&mut self, state: &State, a: &[f64]) -> Result<(), AnalysisError> {
+        if self.watch.sign == 0.0 {
+            self.look(state)?;
+        }
         let (system, ws) = (self.system, &mut self.ws);
         system.update_markers(&state.q, &state.v, ws);
         system.evaluate_constraints(state.t, ws);
@@ -45,21 +95,16 @@ impl<'a> Actuated<'a> {
             ws.time[e.rows.clone()].fill(-rate);
         }
         if missing <= 1e-8 {
+            self.last = state.t;
             return Ok(());
         }
-        let names: Vec<&str> = system
-            .elements
-            .iter()
-            .filter(|e| e.role == Role::Driver)
-            .map(|e| e.name.as_str())
-            .collect();
         Err(AnalysisError::Singular {
             time: state.t,
             last: state.t,
             kind: "actuators without a grip",
             detail: format!(
                 "{} cannot produce this motion in this pose; choose other joints",
-                names.join(", ")
+                self.names()
             ),
         })
     }

@@ -89,7 +89,9 @@ impl Kinematics {
         for (k, &t) in self.instants.iter().enumerate() {
             let from = state.t;
             let reached = if k > 0 {
-                runner.advance(&mut state, t)
+                runner.advance(&mut state, t, &mut |pose| {
+                    forces.as_mut().map_or(Ok(()), |forces| forces.look(pose))
+                })
             } else {
                 Ok(())
             };

@@ -15,7 +15,7 @@ pub(super) const DENSE: usize = 300;
 /// Ratio of pivots of C_q below which a pose is singular to working precision.
 const SINGULAR: f64 = 1e-9;
 /// Pivot ratio below which an over-determined machine is watched by other rows.
-const RECHOOSE: f64 = 1e-3;
+pub(super) const RECHOOSE: f64 = 1e-3;
 /// How often an interval between two instants may be halved.
 const HALVINGS: usize = 12;
 
@@ -100,9 +100,14 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// From one instant to the next: predictor, Newton, velocities, accelerations; the interval is
+    /// From one instant to the next, `passed` is told every pose on the way: predictor, Newton, velocities, accelerations; the interval is
     /// halved where Newton does not converge.
-    pub(super) fn advance(&mut self, state: &mut State, t: f64) -> Result<(), AnalysisError> {
+    pub(super) fn advance(
+        &mut self,
+        state: &mut State,
+        t: f64,
+        passed: &mut dyn FnMut(&State) -> Result<(), AnalysisError>,
+    ) -> Result<(), AnalysisError> {
         let start = state.t;
         let mut h = t - state.t;
         let smallest = h / f64::from(1 << HALVINGS);
@@ -158,6 +163,7 @@ impl<'a> Runner<'a> {
                             return Err(self.singular(next.t, start));
                         }
                     }
+                    passed(&next)?;
                     *state = next;
                 }
                 Ok(_) | Err(AnalysisError::NotAssembled { .. }) if h > smallest => {
