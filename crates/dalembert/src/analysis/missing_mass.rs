@@ -3,8 +3,8 @@
 use crate::space::Planar;
 use crate::system::System;
 
-/// What a user must know of bodies without mass before trusting forces.
-pub(super) fn note(system: &System<Planar>) -> Option<String> {
+/// What a user must know of bodies without mass before trusting forces; `None` where all have some.
+pub fn missing_mass(system: &System<Planar>) -> Option<String> {
     let without: Vec<&str> = system
         .bodies
         .iter()
