@@ -479,3 +479,26 @@ fn a_body_without_mass_beside_others_is_told_by_check() {
     assert!(!told(&without));
     assert!(!told(&format!("{PENDULUM}{second}")));
 }
+
+#[test]
+fn statics_says_that_it_has_nothing_to_plot_over() {
+    let run = dalembert(&["statics", &model("pendulum.toml"), "--plot", "rod.angle"]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert!(run.err.contains("--out FILE"), "{}", run.err);
+}
+
+#[test]
+fn plots_of_two_commands_have_two_files() {
+    let folder = common::folder("two-plots");
+    let file = folder.join("m.toml").display().to_string();
+    let driver = "[[driver]]\nname = \"d\"\nkind = \"angle\"\njoint = \"pin\"\nrate = 3\n";
+    std::fs::write(&file, format!("{PENDULUM}{driver}")).unwrap();
+    for command in ["kinematics", "inverse", "simulate"] {
+        let run = dalembert(&[command, &file, "--plot", "rod.angle"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert!(
+            folder.join(format!("m-{command}.svg")).exists(),
+            "{command}"
+        );
+    }
+}
