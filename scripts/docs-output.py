@@ -3,7 +3,7 @@
 
 A line `[examples/NAME.toml](...):` is followed by a block with the content of that model. A page shows a session as a fenced block of the language `console`: lines that start with `$ ` are
 commands, what follows is their output. Commands run in a copy of docs/src/examples; pictures that
-they write to ../images are kept in docs/src/images.
+they write to ../images, or under the name of a picture that is there, are kept in docs/src/images.
 
     scripts/docs-output.py PROGRAM           write models and output into the pages
     scripts/docs-output.py PROGRAM --check   fail where a page shows something else
@@ -117,6 +117,10 @@ def main():
             if new != text and not check:
                 page.write_text(new)
         if not check:
+            # Pictures that readers write beside the model are shown from the folder of pictures.
+            for picture in sorted(folder.glob("*.svg")):
+                if (SOURCE / "images" / picture.name).exists():
+                    shutil.copy(picture, images)
             for image in sorted(images.iterdir()):
                 shutil.copy(image, SOURCE / "images" / image.name)
     if stale:

@@ -103,7 +103,7 @@ pub struct RunArgs {
     /// Draw these channels over time as SVG, like "crank.angle,rod.angle"
     #[arg(long, value_name = "PATTERNS")]
     pub plot: Option<String>,
-    /// File of the plot; default beside the model
+    /// File of the plot; default MODEL-COMMAND.svg beside the model
     #[arg(long, value_name = "FILE")]
     pub plot_file: Option<PathBuf>,
     /// Write the animated page of the run to this file

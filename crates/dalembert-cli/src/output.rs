@@ -3,8 +3,8 @@
 use crate::arguments::RunArgs;
 use crate::failure::Failure;
 use crate::load::{Loaded, beside};
-use dalembert::results::Results;
-use dalembert_io::plot::Plot;
+use dalembert::results::{Channel, Results};
+use dalembert_io::plot::{Plot, rounding_as_zero};
 use dalembert_io::result_file::{Meta, select, write};
 use std::path::{Path, PathBuf};
 
@@ -31,10 +31,10 @@ pub fn write_all(
     }
     if let Some(patterns) = &args.plot {
         let patterns: Vec<String> = patterns.split(',').map(|p| p.trim().to_owned()).collect();
-        let path = args
-            .plot_file
-            .clone()
-            .unwrap_or_else(|| beside(&args.model.model, ".svg"));
+        let path = args.plot_file.clone().unwrap_or_else(|| {
+            // Each command has a file of its own: none overwrites the plot of another.
+            beside(&args.model.model, &format!("-{}.svg", results.analysis))
+        });
         draw(results, &patterns, &path)?;
         written.push(path);
     }
@@ -67,7 +67,11 @@ fn draw(results: &Results, patterns: &[String], path: &Path) -> Result<(), Failu
     let Some(time) = results.channels.first() else {
         return Err(Failure::Usage("there are no results to plot".to_owned()));
     };
-    let plot = Plot::of_channels(&results.model, time, &picked);
+    let drawn: Vec<Channel> = picked
+        .iter()
+        .map(|c| rounding_as_zero(c, results))
+        .collect();
+    let plot = Plot::of_channels(&results.model, time, &drawn.iter().collect::<Vec<_>>());
     write_text(path, &plot.to_svg())
 }
 

@@ -130,7 +130,7 @@ pub fn report(
 ) -> Result<(), crate::failure::Failure> {
     results.notes.extend(assembly(assembled));
     if let Some(error) = &stopped {
-        results.notes.push(error.to_string());
+        results.notes.push(format!("error: {error}"));
     }
     let written = crate::output::write_all(args, loaded, &results)?;
     if args.model.json {
@@ -176,7 +176,7 @@ pub fn report(
             .collect();
         say!("  {}", statistics.join(", "));
         // Why the run stopped is told at the end, as its error.
-        let reason = stopped.as_ref().map(ToString::to_string);
+        let reason = stopped.as_ref().map(|error| format!("error: {error}"));
         let told = results.notes.iter().filter(|n| Some(*n) != reason.as_ref());
         for note in told {
             tell(note);

@@ -438,3 +438,67 @@ fn files_to_write_and_to_plot_are_looked_at() {
         0
     );
 }
+
+#[test]
+fn what_has_mass_but_no_inertia_is_warned_of() {
+    let folder = common::folder("no-resistance");
+    let file = folder.join("m.toml").display().to_string();
+    let check = |inertia: &str| {
+        let text = PENDULUM.replace("inertia = \"0.1 kg*m^2\"\n", inertia);
+        std::fs::write(&file, text).unwrap();
+        dalembert(&["check", &file])
+    };
+    let run = check("");
+    assert_eq!(run.code, 0);
+    for told in [
+        "warning[no-inertia]: body 'rod': it has mass but no inertia",
+        "m.toml:5:1",
+        "inertia = 0 if it is meant",
+    ] {
+        assert!(run.err.contains(told), "{told}: {}", run.err);
+    }
+    for meant in ["inertia = 0\n", "fixed = true\n"] {
+        assert!(!check(meant).err.contains("no-inertia"), "{meant}");
+    }
+}
+
+#[test]
+fn a_body_without_mass_beside_others_is_told_by_check() {
+    let folder = common::folder("no-mass");
+    let file = folder.join("m.toml").display().to_string();
+    let told = |text: &str| {
+        std::fs::write(&file, text).unwrap();
+        let run = dalembert(&["check", &file]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        run.out.contains("warning: no mass is given for rod")
+    };
+    let second = "[[body]]\nname = \"b\"\nmass = 1\ninertia = 1\n";
+    let without = PENDULUM.replace("mass = \"1 kg\"\ninertia = \"0.1 kg*m^2\"\n", "");
+    assert!(told(&format!("{without}{second}")));
+    // Without any mass only the geometry is asked for.
+    assert!(!told(&without));
+    assert!(!told(&format!("{PENDULUM}{second}")));
+}
+
+#[test]
+fn statics_says_that_it_has_nothing_to_plot_over() {
+    let run = dalembert(&["statics", &model("pendulum.toml"), "--plot", "rod.angle"]);
+    assert_eq!((run.code, run.out.as_str()), (2, ""));
+    assert!(run.err.contains("--out FILE"), "{}", run.err);
+}
+
+#[test]
+fn plots_of_two_commands_have_two_files() {
+    let folder = common::folder("two-plots");
+    let file = folder.join("m.toml").display().to_string();
+    let driver = "[[driver]]\nname = \"d\"\nkind = \"angle\"\njoint = \"pin\"\nrate = 3\n";
+    std::fs::write(&file, format!("{PENDULUM}{driver}")).unwrap();
+    for command in ["kinematics", "inverse", "simulate"] {
+        let run = dalembert(&[command, &file, "--plot", "rod.angle"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert!(
+            folder.join(format!("m-{command}.svg")).exists(),
+            "{command}"
+        );
+    }
+}

@@ -1,6 +1,6 @@
 //! What can be wrong with an expression.
 
-use crate::{Quantity, UnknownName};
+use crate::{Dim, Quantity, UnknownName};
 use std::ops::Range;
 
 /// One mistake in an expression: what, where, and what to do.
@@ -56,6 +56,8 @@ pub(crate) enum Fault {
     OpenBacktick,
     #[error("a name in backticks is empty")]
     EmptyName,
+    #[error("a name with a space stands in backticks")]
+    SpacedName { written: String },
     #[error("after the point there must be the name of a property")]
     MissingProperty,
     #[error("the expression ends where a value is expected")]
@@ -138,7 +140,7 @@ impl Fault {
             Self::TooLong { .. } => "expression-too-long",
             Self::TooDeep => "expression-too-deep",
             Self::UnexpectedCharacter { .. } | Self::DoubleStar => "unexpected-character",
-            Self::OpenBacktick | Self::EmptyName => "bad-name",
+            Self::OpenBacktick | Self::EmptyName | Self::SpacedName { .. } => "bad-name",
             Self::MissingProperty => "missing-property",
             Self::UnexpectedEnd => "unexpected-end",
             Self::UnexpectedWord { .. } | Self::Trailing { .. } => "unexpected-word",
@@ -175,6 +177,7 @@ impl Fault {
             Self::DoubleStar => "write `^` for a power".to_owned(),
             Self::OpenBacktick => "add the closing backtick".to_owned(),
             Self::EmptyName => "write the name between the backticks".to_owned(),
+            Self::SpacedName { written } => format!("write {written}"),
             Self::MissingProperty => {
                 "write for example `crank.angle`; other characters need backticks".to_owned()
             }
@@ -182,12 +185,20 @@ impl Fault {
             Self::Trailing { found } if found == ")" => {
                 "remove it, or add the opening parenthesis".to_owned()
             }
+            Self::Trailing { found } if found == "," => {
+                "numbers have a decimal point, as in `0.5 kg`; in a list every entry has quotes of \
+                 its own"
+                    .to_owned()
+            }
             Self::MissingOperator { left, right } => {
                 format!("for a product write `{left}*{right}`")
             }
             Self::UnknownUnit { name, suggestions } => match name.as_str() {
                 "t" => "for a product write `*`; a metric ton is `tonne`".to_owned(),
                 "Nm" | "nm" => "write `N m`".to_owned(),
+                name if unit_word(name).is_some() => {
+                    format!("write `{}`", unit_word(name).unwrap_or_default())
+                }
                 _ => did_you_mean(suggestions).unwrap_or_else(|| {
                     "units are for example `mm`, `kg`, `s`, `deg`, `N`, `kg m^2`; for a product \
                      write `*`"
@@ -230,6 +241,10 @@ impl Fault {
                     .to_owned(),
             },
             Self::ArgumentCount { usage, .. } => format!("write `{usage}`"),
+            Self::Expected { expected, given } if rate_unit(*expected, *given).is_some() => {
+                let unit = rate_unit(*expected, *given).unwrap_or_default();
+                format!("a rate that is multiplied with the time is per second: write `{unit}`")
+            }
             Self::Mismatch { .. } | Self::WrongArgument { .. } | Self::Expected { .. } => {
                 "check the terms; a number without a unit takes any dimension, in SI".to_owned()
             }
@@ -263,6 +278,55 @@ fn did_you_mean(suggestions: &[String]) -> Option<String> {
     (!quoted.is_empty()).then(|| format!("did you mean {}?", quoted.join(" or ")))
 }
 
+/// The unit of the rate, where something is too large by the time that a rate was multiplied with.
+fn rate_unit(expected: Quantity, given: Quantity) -> Option<&'static str> {
+    let expected = expected.known()?;
+    let times_time = given.known()? == expected.times(Dim::TIME);
+    match expected {
+        Dim::NONE if times_time => Some("deg/s"),
+        Dim::LENGTH if times_time => Some("mm/s"),
+        _ => None,
+    }
+}
+
+/// The symbol of a unit that is written as a word.
+fn unit_word(name: &str) -> Option<&'static str> {
+    let word = name.to_lowercase();
+    let singular = word.strip_suffix('s').unwrap_or(&word);
+    let of = |word: &str| UNIT_WORDS.iter().find(|(words, _)| words.contains(&word));
+    of(&word).or_else(|| of(singular)).map(|(_, unit)| *unit)
+}
+
+/// Words for units, in lower case and singular, and the symbol that is known.
+const UNIT_WORDS: &[(&[&str], &str)] = &[
+    (&["meter", "metre"], "m"),
+    (&["millimeter", "millimetre"], "mm"),
+    (&["centimeter", "centimetre"], "cm"),
+    (&["kilometer", "kilometre"], "km"),
+    (&["inch", "inches"], "in"),
+    (&["foot", "feet"], "ft"),
+    (&["kilogram", "kilogramme", "kilo"], "kg"),
+    (&["gram", "gramme"], "g"),
+    (&["ton", "tonne"], "tonne"),
+    (&["pound", "lbs"], "lb"),
+    (&["second", "sec"], "s"),
+    (&["millisecond", "msec"], "ms"),
+    (&["minute"], "min"),
+    (&["hour", "hr"], "h"),
+    (&["degree"], "deg"),
+    (&["radian"], "rad"),
+    (&["revolution", "turn"], "rev"),
+    (&["hertz"], "Hz"),
+    (&["newton"], "N"),
+    (&["kilonewton"], "kN"),
+    (&["newtonmeter", "newtonmetre"], "N m"),
+    (&["pascal"], "Pa"),
+    (&["megapascal"], "MPa"),
+    (&["joule"], "J"),
+    (&["watt"], "W"),
+    (&["kilowatt"], "kW"),
+];
+
 fn character_help(found: char) -> String {
     let text = match found {
         '°' => "write `deg`",
@@ -276,6 +340,7 @@ fn character_help(found: char) -> String {
         '&' => "write `and`",
         '|' => "write `or`",
         '!' => "write `not`",
+        '?' => "write `if(condition, a, b)` for a choice",
         '[' | '{' => "write `(`",
         ']' | '}' => "write `)`",
         '"' | '\'' => "put unusual names in backticks",

@@ -127,6 +127,45 @@ fn help_says_what_to_write() {
         "`crank` is a value; for a product write `crank*(...)`"
     );
     assert_eq!(help("log(2)"), "write `ln` or `log10`");
+    for (text, unit) in [
+        ("200 Newton", "N"),
+        ("3 meters", "m"),
+        ("3 metre", "m"),
+        ("90 degrees", "deg"),
+        ("2 seconds", "s"),
+        ("5 Kilograms", "kg"),
+        ("2 feet", "ft"),
+    ] {
+        assert_eq!(help(text), format!("write `{unit}`"), "{text}");
+    }
+}
+
+#[test]
+fn habits_from_elsewhere_are_one_mistake_with_a_remedy() {
+    let only = |text: &str| match errors(text, &machine()).as_slice() {
+        [one] => (one.code, one.help.clone()),
+        more => panic!("{text}: {more:?}"),
+    };
+    let choice = only("t > 1 ? 2 : 3");
+    assert_eq!(choice.1, "write `if(condition, a, b)` for a choice");
+    let comma = only("0,5 kg");
+    assert!(
+        comma.1.contains("decimal point, as in `0.5 kg`"),
+        "{comma:?}"
+    );
+    let spaced = only("-3 * return spring.length + 2 mm");
+    let written = "write `return spring`.length".to_owned();
+    assert_eq!(spaced, ("bad-name", written));
+    // Two known names side by side are still a product.
+    assert_eq!(only("2 * crank load").0, "missing-operator");
+    let rate = |text: &str, expected: Dim| {
+        compile(text, &machine(), expected.into()).unwrap_err()[0]
+            .help
+            .clone()
+    };
+    assert!(rate("360 deg * t", Dim::NONE).ends_with("write `deg/s`"));
+    assert!(rate("3 mm * t", Dim::LENGTH).ends_with("write `mm/s`"));
+    assert!(rate("3 mm * t", Dim::NONE).starts_with("check the terms"));
 }
 
 #[test]

@@ -486,3 +486,51 @@ fn points_of_tables() {
         ],
     );
 }
+
+#[test]
+fn a_single_bracket_beside_double_ones_is_one_mistake() {
+    let joints =
+        "[joint]\nname = \"p\"\n[[joint]] # second\nname = \"q\"\n[[joint]]\nname = \"r\"\n";
+    check_behind_bodies(
+        joints,
+        &[
+            "toml-syntax 7:1 not valid TOML: one [joint] and a list of [[joint]] | write [[joint]] with two brackets here too",
+        ],
+    );
+}
+
+#[test]
+fn words_from_elsewhere_are_understood_in_help() {
+    for (word, kind) in [
+        ("pin", "revolute"),
+        ("Slider", "prismatic"),
+        ("link", "distance"),
+    ] {
+        let joint = format!("[[joint]]\nname = \"j\"\nkind = \"{word}\"\n");
+        let all = findings(&format!("{START}{BODIES}{joint}"));
+        let written = format!("there is no kind `{word}` | write `{kind}`; allowed here");
+        assert!(all.iter().any(|f| f.contains(&written)), "{all:?}");
+    }
+    let force = "[[force]]\nname = \"f\"\nkind = \"pin\"\n";
+    let all = findings(&format!("{START}{BODIES}{force}"));
+    assert!(
+        all.iter().any(|f| f.contains("`pin` | allowed here")),
+        "{all:?}"
+    );
+}
+
+#[test]
+fn a_number_for_gravity_and_one_point_for_two_show_what_to_write() {
+    check(
+        "gravity = 9.81\n",
+        &[
+            "wrong-type 3:11 section [model]: `gravity`: expected a list of 2 numbers, found a number | write [0, -9.81] for gravity along -y",
+        ],
+    );
+    check_behind_bodies(
+        "[[joint]]\nname = \"j\"\nkind = \"revolute\"\nbodies = [\"a\", \"b\"]\nat = [\"1 m\", 0]\n",
+        &[
+            "wrong-type 11:6 joint \"j\": `at`: expected two points, [[x, y], [x, y]], found one | write [[x, y], [x, y]]: the point [x, y] in the frame of each body",
+        ],
+    );
+}

@@ -81,7 +81,7 @@ fn names_of_a_misspelt_section_are_not_missed() {
 #[test]
 fn what_follows_from_a_mistake_is_not_reported() {
     let start = "[model]\nname = \"m\"\n[parameters]\nr = \"2 * s\"\ns = \"r\"\n\
-        [[body]]\nname = \"a\"\nmass = \"r - 1 kg\"\n";
+        [[body]]\nname = \"a\"\nmass = \"r - 1 kg\"\ninertia = 0\n";
     assert_eq!(codes_with_engine(start), ["parameter-cycle 4:5"]);
     // The spring is spoilt, and so is what is said of its length.
     let text = start.replace("2 * s", "2").replace("\"r - 1 kg\"", "1")
@@ -90,9 +90,9 @@ fn what_follows_from_a_mistake_is_not_reported() {
     assert_eq!(
         codes_with_engine(&text),
         [
-            "unknown-kind 11:8",
-            "unknown-body 12:21",
-            "unit-mismatch 18:10"
+            "unknown-kind 12:8",
+            "unknown-body 13:21",
+            "unit-mismatch 19:10"
         ]
     );
 }

@@ -95,7 +95,8 @@ fn open(notes: &[String]) -> Vec<String> {
         .iter()
         .find_map(|n| n.split_once("the reactions of ")?.1.split_once(" are not"))
         .unwrap_or_else(|| panic!("no note: {notes:?}"));
-    text.0.split(", ").map(str::to_owned).collect()
+    let names = text.0.replace(" and ", ", ");
+    names.split(", ").map(str::to_owned).collect()
 }
 
 fn simulate(c: &Compiled) -> Results {

@@ -1,5 +1,6 @@
 import type { Animation } from "../data/contract";
 import { byId, make } from "../dom";
+import { gravity, rank } from "./note-gravity";
 
 /** Title, notes and summary of the run. */
 export function showInfo(animation: Animation): void {
@@ -16,14 +17,15 @@ export function showInfo(animation: Animation): void {
 function showNotes(notes: readonly string[]): void {
   const section = byId("notes");
   section.hidden = notes.length === 0;
-  section.replaceChildren(...notes.map((note) => make("p", isWarning(note) ? "note warning" : "note", note)));
-  const warnings = notes.filter(isWarning).length;
+  // What stopped the run comes first.
+  const sorted = [...notes].sort((a, b) => rank(gravity(a)) - rank(gravity(b)));
+  section.replaceChildren(...sorted.map((note) => make("p", `note ${gravity(note)}`, note)));
+  const stops = notes.filter((note) => gravity(note) === "error").length;
+  const warnings = notes.filter((note) => gravity(note) === "warning").length;
   const badge = byId("notes-badge");
-  badge.hidden = warnings === 0;
-  badge.textContent = warnings === 1 ? "⚠ 1 warning" : `⚠ ${warnings} warnings`;
+  badge.hidden = stops + warnings === 0;
+  badge.classList.toggle("error", stops > 0);
+  const counted = warnings === 1 ? "1 warning" : `${warnings} warnings`;
+  badge.textContent = `⚠ ${[...(stops > 0 ? ["run stopped"] : []), ...(warnings > 0 ? [counted] : [])].join(", ")}`;
   badge.addEventListener("click", () => section.scrollIntoView({ behavior: "smooth" }));
-}
-
-function isWarning(note: string): boolean {
-  return /^\s*(warning|error)\b/i.test(note);
 }

@@ -6,6 +6,7 @@ use crate::load::load;
 use crate::summary;
 use dalembert::analysis::{
     AnalysisError, Assembly, DriverSweep, Mobility, SweepOptions, conflicts, driver_singularities,
+    missing_mass,
 };
 use dalembert::network::{Network, TerminalGraph};
 use dalembert::system::State;
@@ -41,7 +42,11 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     };
     let network = Network::new(&system.running(), TerminalGraph::default());
     let loops = network.loops();
-    let notes = summary::assembly(&assembly);
+    let mut notes = summary::assembly(&assembly);
+    // A machine without any mass is a matter of geometry: nothing is missing there.
+    if system.mass.iter().any(|m| *m > 0.0) {
+        notes.extend(missing_mass(system));
+    }
     if args.model.json {
         say!(
             "{:#}",

@@ -4,7 +4,8 @@ use crate::arguments::PlotArgs;
 use crate::failure::Failure;
 use crate::load::beside;
 use crate::output::write_text;
-use dalembert_io::plot::{Plot, XyCurve, XyPlot};
+use dalembert::results::Channel;
+use dalembert_io::plot::{Plot, XyCurve, XyPlot, rounding_as_zero};
 use dalembert_io::result_file::{read, select};
 
 /// Draws the chosen channels.
@@ -21,6 +22,8 @@ pub fn run(args: &PlotArgs) -> Result<(), Failure> {
     }
     let usage = |e: dalembert_io::result_file::UnknownChannel| Failure::Usage(e.to_string());
     let ys = select(&results, &args.channels).map_err(usage)?;
+    let drawn: Vec<Channel> = ys.iter().map(|y| rounding_as_zero(y, &results)).collect();
+    let ys: Vec<&Channel> = drawn.iter().collect();
     let x = match &args.against {
         Some(name) => {
             let found = select(&results, std::slice::from_ref(name)).map_err(usage)?;
@@ -39,6 +42,7 @@ pub fn run(args: &PlotArgs) -> Result<(), Failure> {
     let Some(x) = x else {
         return Err(Failure::Usage("the result file has no channels".to_owned()));
     };
+    let x = &rounding_as_zero(x, &results);
     let title = args.title.as_ref().unwrap_or(&results.model);
     let svg = if args.equal {
         let plot = XyPlot {

@@ -11,6 +11,13 @@ use dalembert::words::counted;
 
 /// Finds the equilibria, or the loads that hold the machine in its pose.
 pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
+    if args.run.plot.is_some() {
+        return Err(Failure::Usage(
+            "statics has no time over which --plot could draw: write the poses with --out FILE; \
+             for a motion use simulate or kinematics"
+                .to_owned(),
+        ));
+    }
     let loaded = load_run(&args.run)?;
     let system = &loaded.compiled.system;
     if !args.hold.is_empty() || !args.hold_force.is_empty() {

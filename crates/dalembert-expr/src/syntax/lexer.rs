@@ -84,8 +84,12 @@ impl Lexer<'_> {
             return Some(token.clone());
         }
         self.at += character.len_utf8();
-        let fault = Fault::UnexpectedCharacter { found: character };
-        self.faults.push((fault, start..self.at));
+        // `a ? b : c` is one habit from other languages, not two mistakes.
+        let question = Fault::UnexpectedCharacter { found: '?' };
+        if character != ':' || self.faults.iter().all(|(fault, _)| *fault != question) {
+            let fault = Fault::UnexpectedCharacter { found: character };
+            self.faults.push((fault, start..self.at));
+        }
         None
     }
 

@@ -1,7 +1,7 @@
 //! From words to a syntax tree: a Pratt parser.
 
 use super::lexer;
-use super::token::{Spanned, Token};
+use super::token::{Path, Spanned, Token};
 use super::tree::{Binary, Id, Node, Tree};
 use crate::error::{ExprError, Fault, MOST_ERRORS, excerpt};
 use crate::{Scope, Unit};
@@ -9,6 +9,8 @@ use std::ops::Range;
 
 /// How deeply parentheses, calls and prefixes may nest.
 const DEEPEST: usize = 200;
+/// The most words of a name with spaces that is looked for without its backticks.
+const MOST_WORDS: usize = 6;
 /// The longest text, in bytes.
 const LONGEST: usize = 1 << 16;
 
@@ -240,6 +242,12 @@ impl Parser<'_> {
                 Ok(self.tree.leaf(node, span.start..end))
             }
             Token::Name(path) => {
+                if let Some((path, written, count)) = self.spaced_name() {
+                    let whole = span.start..self.span_ahead(count - 1).end;
+                    self.skip(count);
+                    self.report(Fault::SpacedName { written }, whole.clone());
+                    return Ok(self.tree.leaf(Node::Name(path), whole));
+                }
                 self.skip(1);
                 if self.peek() != &Token::Open {
                     return Ok(self.tree.leaf(Node::Name(path), span));
@@ -280,6 +288,34 @@ impl Parser<'_> {
                 self.stop(Fault::UnexpectedWord { found }, span)
             }
         }
+    }
+
+    /// A known name with spaces that was written without backticks: itself, how to write it, and
+    /// its number of words.
+    fn spaced_name(&self) -> Option<(Path, String, usize)> {
+        let mut words: Vec<&str> = Vec::new();
+        for count in 1..=MOST_WORDS {
+            let Token::Name(path) = self.peek_ahead(count - 1) else {
+                return None;
+            };
+            let (word, properties) = path.parts.split_first()?;
+            words.push(word);
+            let joined = words.join(" ");
+            let mut names = vec![joined.as_str()];
+            names.extend(properties.iter().map(String::as_str));
+            if count > 1 && self.scope?.variable(&names).is_ok() {
+                let properties = properties.iter().map(|p| format!(".{p}"));
+                let written = format!("`{joined}`{}", properties.collect::<String>());
+                let parts = names.into_iter().map(str::to_owned).collect();
+                let quoted = true;
+                return Some((Path { parts, quoted }, written, count));
+            }
+            // Behind a property a name cannot go on.
+            if path.quoted || !properties.is_empty() {
+                return None;
+            }
+        }
+        None
     }
 
     fn call(&mut self, name: String, name_span: Range<usize>) -> Result<Id, Stop> {

@@ -203,6 +203,32 @@ impl<'a> Item<'a> {
         self.values()
     }
 
+    /// One point in the frame of each of two bodies; a single point is one mistake.
+    pub fn two_points(&self) -> Option<[Point; 2]> {
+        let plain = |entry: &toml::Spanned<DeValue<'_>>| {
+            matches!(
+                entry.get_ref(),
+                DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)
+            )
+        };
+        match self.value {
+            DeValue::Array(array) if !array.is_empty() && array.iter().all(plain) => {
+                let (text, help) = if self.context.dimension.get() == 2 {
+                    ("[[x, y], [x, y]]", "[x, y]")
+                } else {
+                    ("[[x, y, z], [x, y, z]]", "[x, y, z]")
+                };
+                self.error(
+                    "wrong-type",
+                    &format!("expected two points, {text}, found one"),
+                    format!("write {text}: the point {help} in the frame of each body"),
+                );
+                None
+            }
+            _ => self.pair(Item::point),
+        }
+    }
+
     /// The entries of a list.
     pub fn entries(&self, expected: &str) -> Option<Vec<Item<'a>>> {
         let DeValue::Array(array) = self.value else {

@@ -3,6 +3,7 @@
 mod context;
 mod csv_table;
 mod item;
+mod kind_words;
 mod known_mistakes;
 mod line_column;
 mod listed;
@@ -85,6 +86,13 @@ fn syntax_errors(text: &str, errors: &[toml::de::Error]) -> Vec<Diagnostic> {
             continue;
         }
         in_list = error.message().contains("array");
+        if let Some(single) = single_bracket(&lines, line) {
+            // All lists behind it meet the same one.
+            if !diagnostics.iter().any(|d| d.span == single.span) {
+                diagnostics.push(single);
+            }
+            continue;
+        }
         let message = format!("not valid TOML: {}", error.message());
         let help = syntax_help(error.message());
         diagnostics.push(
@@ -94,6 +102,31 @@ fn syntax_errors(text: &str, errors: &[toml::de::Error]) -> Vec<Diagnostic> {
         );
     }
     diagnostics
+}
+
+/// The section `[name]` above a line `[[name]]`, which contradict each other.
+fn single_bracket(lines: &Lines<'_>, line: usize) -> Option<Diagnostic> {
+    let without_comment = |line: usize| {
+        let text = lines.line(line).1;
+        text.split('#').next().unwrap_or_default().trim()
+    };
+    let name = without_comment(line)
+        .strip_prefix("[[")?
+        .strip_suffix("]]")?
+        .trim();
+    let is_single = |line: &usize| {
+        let inside = without_comment(*line).strip_prefix('[');
+        let inside = inside.and_then(|text| text.strip_suffix(']'));
+        inside.is_some_and(|inside| inside.trim() == name)
+    };
+    let (start, text) = lines.line((1..line).find(is_single)?);
+    let message = format!("not valid TOML: one [{name}] and a list of [[{name}]]");
+    let help = format!("write [[{name}]] with two brackets here too");
+    Some(
+        Diagnostic::error("toml-syntax", "", message)
+            .span(start..start + text.trim_end().len())
+            .help(help),
+    )
 }
 
 /// What to do after a message of the reader of TOML.

@@ -2,6 +2,7 @@
 
 use super::context::Context;
 use super::item::{Item, Place, did_you_mean};
+use super::kind_words::other_word;
 use super::listed::listed;
 use super::names::{NameOf, Section, is_bad_name};
 use super::source_map::child;
@@ -108,8 +109,7 @@ impl<'a> TableReader<'a> {
 
     /// The points in the frames of two bodies, that must be there; after a mistake placeholders.
     pub fn need_points(&mut self, key: &'static str) -> [Point; 2] {
-        self.required(key, |item| item.pair(Item::point))
-            .unwrap_or_default()
+        self.required(key, Item::two_points).unwrap_or_default()
     }
 
     /// A body that must be there; after a mistake a placeholder.
@@ -182,12 +182,15 @@ impl<'a> TableReader<'a> {
         let mut found = of(word);
         if found.is_none() {
             let words = || kinds.iter().map(|(kind, _)| *kind);
-            item.error(
-                "unknown-kind",
-                &format!("there is no kind `{word}`"),
-                did_you_mean(word, words()),
-            );
-            found = nearest(word, words()).first().copied().and_then(of);
+            let meant = other_word(word).filter(|kind| words().any(|k| k == *kind));
+            let help = match meant {
+                Some(kind) => format!("write `{kind}`; allowed here: {}", listed(words())),
+                None => did_you_mean(word, words()),
+            };
+            let text = format!("there is no kind `{word}`");
+            item.error("unknown-kind", &text, help);
+            let nearest = || nearest(word, words()).first().copied();
+            found = meant.or_else(nearest).and_then(of);
         }
         found.map(|(_, kind)| *kind)
     }

@@ -12,6 +12,7 @@ mod legend;
 mod palette;
 mod panel;
 mod range;
+mod rounding;
 mod series;
 mod svg;
 mod text;
@@ -22,6 +23,7 @@ mod xy_plot;
 #[cfg(test)]
 mod tests;
 
+pub use rounding::rounding_as_zero;
 pub use series::Series;
 pub use time_plot::Plot;
 pub use xy_plot::{XyCurve, XyPlot};

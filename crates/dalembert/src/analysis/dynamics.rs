@@ -76,7 +76,7 @@ impl Dynamics {
             newton: self.newton,
         }
         .run(system)?;
-        let mut notes: Vec<String> = super::missing_mass::note(system).into_iter().collect();
+        let mut notes: Vec<String> = super::missing_mass(system).into_iter().collect();
         let running = system.running();
         let mut motion = Motion::new(&running, self);
         let (nq, nv) = (running.nq(), running.nv());

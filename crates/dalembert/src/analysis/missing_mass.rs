@@ -4,8 +4,8 @@ use crate::space::Planar;
 use crate::system::System;
 use crate::words::listed;
 
-/// What a user must know of bodies without mass before trusting forces.
-pub(super) fn note(system: &System<Planar>) -> Option<String> {
+/// What a user must know of bodies without mass before trusting forces; `None` where all have some.
+pub fn missing_mass(system: &System<Planar>) -> Option<String> {
     let without: Vec<String> = system
         .bodies
         .iter()

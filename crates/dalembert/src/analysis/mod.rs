@@ -30,6 +30,7 @@ pub use equations::{EquationBasis, Equations, EquationsReport, ReferenceFrame};
 pub use error::AnalysisError;
 pub use inverse::Inverse;
 pub use kinematics::{Kinematics, KinematicsRun};
+pub use missing_mass::missing_mass;
 pub use mobility::{
     BodyMotion, Conflict, Dependence, DriverSweep, FreeMotion, MasslessMotion, Mobility,
     MobilityReport, Rank, SingularKind, SingularPose, SweepOptions, conflicts,

@@ -83,6 +83,7 @@ pub enum JointKind {
         placement: Placement,
     },
     /// A slide along the joint's x axis of the first body. Coordinate: displacement.
+    /// One of `angles` and `direction` is needed.
     Prismatic {
         /// Where; `angles` or `direction` is needed.
         #[serde(flatten)]
@@ -104,6 +105,7 @@ pub enum JointKind {
         length: Option<Value>,
     },
     /// A pin of the second body in a slot of the first, along the first's joint x axis.
+    /// One of `angles` and `direction` is needed.
     PinSlot {
         /// Where; `angles` or `direction` is needed.
         #[serde(flatten)]

@@ -19,7 +19,7 @@ pub(super) enum Needs {
 pub(super) fn lower(table: &mut TableReader<'_>, kind: &str, needs: Needs) -> Placement {
     let placement = Placement {
         bodies: table.need_bodies(),
-        at: table.optional("at", |item| item.pair(Item::point)),
+        at: table.optional("at", Item::two_points),
         point: table.point("point"),
         angles: table.optional("angles", |item| item.pair(Item::value)),
         direction: table.point("direction"),

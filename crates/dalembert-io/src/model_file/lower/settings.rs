@@ -1,8 +1,9 @@
 //! Sections that are there once: `[model]`, `[analysis]`, `[output]`.
 
-use crate::model_file::item::Item;
+use crate::model_file::item::{Item, type_name};
 use crate::model_file::table_reader::TableReader;
-use dalembert::model::{AnalysisOptions, Info, OutputOptions, SpaceKind, Stabilization};
+use dalembert::model::{AnalysisOptions, Info, OutputOptions, Point, SpaceKind, Stabilization};
+use toml::de::DeValue;
 
 /// Reads `[model]`.
 pub(super) fn info(mut table: TableReader<'_>) -> Info {
@@ -24,10 +25,26 @@ pub(super) fn info(mut table: TableReader<'_>) -> Info {
         name,
         description,
         space,
-        gravity: table.point("gravity"),
+        gravity: table.optional("gravity", gravity),
     };
     table.finish();
     info
+}
+
+/// Reads the vector of gravity; a single number is its size.
+fn gravity(item: &Item<'_>) -> Option<Point> {
+    if let DeValue::Array(_) = item.value {
+        return item.point();
+    }
+    let (expected, help) = if item.context.dimension.get() == 2 {
+        ("2", "write [0, -9.81] for gravity along -y")
+    } else {
+        ("3", "write [0, 0, -9.81] for gravity along -z")
+    };
+    let found = type_name(item.value);
+    let text = format!("expected a list of {expected} numbers, found {found}");
+    item.error("wrong-type", &text, help);
+    None
 }
 
 /// Reads `[analysis]`.

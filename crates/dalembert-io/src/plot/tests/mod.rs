@@ -2,4 +2,5 @@
 
 mod decimation;
 mod pictures;
+mod rounding;
 mod scales;

@@ -76,7 +76,7 @@ impl Kinematics {
             newton: self.newton,
         }
         .run(system)?;
-        let mut notes: Vec<String> = super::missing_mass::note(system).into_iter().collect();
+        let mut notes: Vec<String> = super::missing_mass(system).into_iter().collect();
         let running = system.running();
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;

@@ -114,6 +114,23 @@ impl Context<'_> {
             }
             return sum;
         }
+        if !body.fixed && body.inertia.is_none() && mass.is_some_and(|m| m > 0.0) {
+            self.report(
+                Diagnostic::warning(
+                    "no-inertia",
+                    // Where a misspelt key may stand: the reader then knows that this follows.
+                    place.key("inertia"),
+                    format!(
+                        "{}: it has mass but no inertia, and turns without resistance",
+                        place.owner
+                    ),
+                )
+                .help(
+                    "add inertia (about the centre of mass), or give the mass to the shape instead \
+                     of the body; inertia = 0 if it is meant",
+                ),
+            );
+        }
         MassProperties {
             mass: mass.unwrap_or(0.0),
             center,
