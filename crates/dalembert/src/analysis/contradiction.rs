@@ -30,8 +30,8 @@ pub(super) fn contradiction(
             .ok()?
             .into_iter()
             .find_map(|found| {
-                let among =
-                    |e: &crate::system::ElementData<Planar>| found.elements.contains(&e.name);
+                let all = [&found.elements[..], &found.through].concat();
+                let among = |e: &crate::system::ElementData<Planar>| all.contains(&e.name);
                 let driven = system
                     .elements
                     .iter()
@@ -39,7 +39,7 @@ pub(super) fn contradiction(
                 let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
                 (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
                     time: good.t,
-                    elements: crate::words::listed(&found.elements),
+                    elements: crate::words::listed(&all),
                 })
             })
     })
