@@ -355,7 +355,7 @@ fn drivers_that_contradict_each_other_at_a_dead_centre_are_both_named() {
     // the crank's holds it there.
     let system = slider_crank(0.2, 0.5, 0.0)
         .driver(json!({ "name": "motor", "kind": "angle", "joint": "O", "value": 0.0 }))
-        .driver(json!({ "name": "piston", "kind": "displacement", "joint": "S", "value": 0.6 }))
+        .driver(json!({ "name": "piston", "kind": "displacement", "joint": "S", "value": -0.1 }))
         .system();
     assert!(Assembly::default().run(&system).is_err());
     let found = conflicts(&system, &system.estimate).unwrap();
