@@ -32,6 +32,9 @@ pub(super) fn contradiction(
             .find_map(|found| {
                 let all = [&found.elements[..], &found.through].concat();
                 let among = |e: &crate::system::ElementData<Planar>| all.contains(&e.name);
+                // In the order of the model.
+                let names = system.elements.iter().filter(|e| among(e));
+                let names: Vec<String> = names.map(|e| e.name.clone()).collect();
                 let driven = system
                     .elements
                     .iter()
@@ -39,7 +42,7 @@ pub(super) fn contradiction(
                 let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
                 (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
                     time: good.t,
-                    elements: crate::words::listed(&all),
+                    elements: crate::words::listed(&names),
                 })
             })
     })
