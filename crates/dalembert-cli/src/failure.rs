@@ -1,6 +1,6 @@
 //! Why the program ends without success, and its exit code.
 
-use dalembert::analysis::AnalysisError;
+use dalembert::analysis::{AnalysisError, Conflict};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use thiserror::Error;
@@ -14,6 +14,14 @@ pub enum Failure {
     /// The analysis stopped early; what it has is written, with the reason.
     #[error("{0}")]
     Stopped(AnalysisError),
+    /// The machine cannot be assembled; what contradicts what.
+    #[error("{error}")]
+    NotAssembled {
+        /// What Newton's method met.
+        error: AnalysisError,
+        /// The smallest sets of elements that contradict each other.
+        conflicts: Vec<Conflict>,
+    },
     /// The command line asks for something that does not exist.
     #[error("{0}")]
     Usage(String),
@@ -62,6 +70,18 @@ impl Failure {
                     json!({ "completed": false, "error": self.to_string() })
                 );
             }
+            Self::NotAssembled { conflicts, .. } if json => {
+                say!(
+                    "{:#}",
+                    json!({ "completed": false, "error": self.to_string(), "conflicts": conflicts })
+                );
+            }
+            Self::NotAssembled { conflicts, .. } => {
+                for conflict in conflicts {
+                    eprintln!("conflict: {conflict}");
+                }
+                eprintln!("error: {self}");
+            }
             Self::Model { text, .. } => eprintln!("{}", text.trim_end()),
             _ => eprintln!("error: {self}"),
         }
@@ -70,7 +90,7 @@ impl Failure {
     /// Exit code for scripts.
     pub fn code(&self) -> u8 {
         match self {
-            Self::Analysis(_) | Self::Stopped(_) => 1,
+            Self::Analysis(_) | Self::Stopped(_) | Self::NotAssembled { .. } => 1,
             Self::Usage(_) => 2,
             Self::Model { .. } => 3,
             Self::File { .. } => 4,

@@ -49,6 +49,18 @@ pub(crate) enum Instruction {
     Jump(u32),
 }
 
+impl Instruction {
+    /// Can its value jump while its operands pass steadily?
+    pub(crate) fn can_jump(self) -> bool {
+        matches!(
+            self,
+            Self::Univariate(Univariate::Sign | Univariate::Step | Univariate::Floor)
+                | Self::Mod
+                | Self::Compare(_)
+        )
+    }
+}
+
 /// A comparison of two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Comparison {

@@ -69,6 +69,14 @@ impl Program {
         &self.code.slots
     }
 
+    /// The parts of the text whose value can jump: `sign`, `step`, `floor`, `mod`, and comparisons,
+    /// which an `if` decides by. (An `if` need not jump: both values may agree at the change.)
+    pub fn jumps(&self) -> impl Iterator<Item = &str> {
+        let code = self.code.instructions.iter().zip(&self.code.spans);
+        code.filter(|(instruction, _)| instruction.can_jump())
+            .filter_map(|(_, span)| self.text.get(span.clone()))
+    }
+
     /// How many values it holds at once at most.
     pub fn stack_depth(&self) -> usize {
         self.code.depth

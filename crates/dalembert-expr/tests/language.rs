@@ -186,3 +186,17 @@ fn free_names_are_listed_in_order() {
     assert!(names("1 +").is_err());
     assert!(dalembert_expr::compile("x", &EmptyScope, Quantity::Free).is_err());
 }
+
+#[test]
+fn parts_that_can_jump_are_named() {
+    for (text, expected) in [
+        ("sign(x) + 2*x", vec!["sign(x)"]),
+        ("3*floor(2*x) - step(x)", vec!["floor(2*x)", "step(x)"]),
+        ("mod(x, 2)", vec!["mod(x, 2)"]),
+        ("if(x > 1, x, 0)", vec!["x > 1"]),
+        ("abs(x) + min(x, 1) + tanh(x) + blend(x, 0, 1)", vec![]),
+    ] {
+        let program = compile(text, &free(&["x"]));
+        assert_eq!(program.jumps().collect::<Vec<_>>(), expected, "{text}");
+    }
+}

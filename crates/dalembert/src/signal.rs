@@ -77,6 +77,14 @@ impl<S: Space> Coefficient<S> {
         }
     }
 
+    /// The first part of its expression whose value can jump, like "sign(x)".
+    pub fn jump(&self) -> Option<&str> {
+        match self {
+            Self::Constant(_) => None,
+            Self::Expression(program, _) | Self::Negated(program, _) => program.jumps().next(),
+        }
+    }
+
     /// The constant value, if it is one.
     pub fn constant(&self) -> Option<f64> {
         match self {

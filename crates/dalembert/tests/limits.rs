@@ -301,3 +301,26 @@ fn large_machines_say_that_they_are_not_checked_for_singular_poses() {
         assert_eq!(told, expected, "{:?}", run.results.notes);
     }
 }
+
+/// Dry friction holds the block where it comes to rest: the run hangs at the jump, and says so soon.
+#[test]
+fn a_force_that_jumps_ends_the_run_with_its_name() {
+    let friction = |law: &str| {
+        let mut model = block(&json!({"damping": 0.0}), &json!({"end": 3.0}));
+        model["force"][1] =
+            json!({"name": "friction", "kind": "actuator", "joint": "guide", "value": law});
+        simulate(model).unwrap()
+    };
+    let (results, stopped) = friction("-8 N*sign(block.vx)");
+    assert!(
+        results.statistics["steps"] < 2e4,
+        "{:?}",
+        results.statistics
+    );
+    let text = text(stopped);
+    for part in ["'friction' jumps (sign(block.vx))", "tanh(x / eps)"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let (_, stopped) = friction("-8 N*tanh(block.vx/(1 mm/s))");
+    assert_eq!(stopped, None);
+}

@@ -350,6 +350,31 @@ fn the_smallest_conflict_is_named() {
 }
 
 #[test]
+fn drivers_that_contradict_each_other_at_a_dead_centre_are_both_named() {
+    // Each driver alone can be met, though the slider's only away from the dead centre of the start;
+    // the crank's holds it there.
+    let system = slider_crank(0.2, 0.5, 0.0)
+        .driver(json!({ "name": "motor", "kind": "angle", "joint": "O", "value": 0.0 }))
+        .driver(json!({ "name": "piston", "kind": "displacement", "joint": "S", "value": -0.1 }))
+        .system();
+    assert!(Assembly::default().run(&system).is_err());
+    let found = conflicts(&system, &system.estimate).unwrap();
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(found[0].elements, ["motor", "piston"]);
+    assert_eq!(found[0].through, ["O", "A", "B", "S"]);
+    assert_eq!(found[0].unit, "m");
+
+    // One driver that asks for more than the bars reach.
+    let system = slider_crank(0.2, 0.5, 1.2)
+        .driver(json!({ "name": "piston", "kind": "displacement", "joint": "S", "value": 0.9 }))
+        .system();
+    let found = conflicts(&system, &system.estimate).unwrap();
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!(found[0].elements, ["piston"]);
+    assert!(!found[0].through.is_empty());
+}
+
+#[test]
 fn a_driven_slider_stops_at_the_dead_centre() {
     // The slider is driven outwards; crank and rod are in line at x = 0.7, t = 1.25 s.
     let system = slider_crank(0.2, 0.5, 1.2)

@@ -5,8 +5,8 @@ use crate::failure::Failure;
 use crate::load::load;
 use crate::summary;
 use dalembert::analysis::{
-    AnalysisError, Assembly, DriverSweep, Mobility, SweepOptions, conflicts, driver_singularities,
-    missing_mass,
+    AnalysisError, Assembly, Conflict, DriverSweep, Mobility, SweepOptions, conflicts,
+    driver_singularities, missing_mass,
 };
 use dalembert::network::{Network, TerminalGraph};
 use dalembert::system::State;
@@ -18,10 +18,11 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     let (state, assembly) = match Assembly::default().run(system) {
         Ok(done) => done,
         Err(error @ AnalysisError::NotAssembled { .. }) => {
-            for conflict in conflicts(&system.start_positions(), &system.estimate)? {
-                eprintln!("conflict: {conflict}");
-            }
-            return Err(error.into());
+            let found = conflicts(&system.start_positions(), &system.estimate)?;
+            return Err(Failure::NotAssembled {
+                error: without_guess(error, &found),
+                conflicts: found,
+            });
         }
         Err(error) => return Err(error.into()),
     };
@@ -70,6 +71,26 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         summary::tell(&note);
     }
     Ok(())
+}
+
+/// The error without the elements that Newton's method suspects, where the conflicts were found.
+fn without_guess(error: AnalysisError, found: &[Conflict]) -> AnalysisError {
+    match error {
+        AnalysisError::NotAssembled {
+            time,
+            iterations,
+            worst,
+            residual,
+            ..
+        } if !found.is_empty() => AnalysisError::NotAssembled {
+            time,
+            iterations,
+            worst,
+            residual,
+            conflict: "; see the conflict".to_owned(),
+        },
+        other => other,
+    }
 }
 
 /// A hundred times the turns of the fastest body until the end, at its speed at the start.

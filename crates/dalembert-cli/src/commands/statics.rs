@@ -76,7 +76,15 @@ fn print_loads(args: &StaticsArgs, loaded: &Loaded, loads: &HoldingLoads) {
             load.unit
         );
     }
+    for note in &loads.results.notes {
+        summary::tell(note);
+    }
 }
+
+/// Equilibria whose coordinates are printed.
+const POSES: usize = 6;
+/// Coordinates of one equilibrium that are printed.
+const COORDINATES: usize = 24;
 
 fn print_report(report: &StaticsReport, names: &[String]) {
     say!(
@@ -89,6 +97,16 @@ fn print_report(report: &StaticsReport, names: &[String]) {
             "a"
         }
     );
+    if report.equilibria.len() > 1 {
+        say!(
+            "{}, each kind by distance from the estimate:",
+            if report.equilibria[0].distance < 1e-6 {
+                "The estimate itself first, then stable, neutral and unstable ones"
+            } else {
+                "Stable ones first, then neutral and unstable ones"
+            }
+        );
+    }
     for (k, e) in report.equilibria.iter().enumerate() {
         let stability = match e.stability {
             Stability::Stable => "stable",
@@ -106,16 +124,26 @@ fn print_report(report: &StaticsReport, names: &[String]) {
         for motion in &motions {
             say!("     {motion}");
         }
-        if k < 6 {
+        if k < POSES {
             let rounded = |x: f64| if x.abs() < 1e-12 { 0.0 } else { x };
             let pose: Vec<String> = names
                 .iter()
                 .zip(&e.q)
-                .take(24)
+                .take(COORDINATES)
                 .map(|(n, x)| format!("{n} {}", summary::number(rounded(*x))))
                 .collect();
             say!("     centre of mass: {}", pose.join(", "));
         }
+    }
+    let last = report.equilibria.len();
+    if last > POSES || names.len() > COORDINATES {
+        let poses = match last.saturating_sub(POSES) {
+            0 => "all coordinates".to_owned(),
+            1 => format!("the coordinates of equilibrium {last}"),
+            2 => format!("the coordinates of equilibria {} and {last}", POSES + 1),
+            _ => format!("the coordinates of equilibria {} to {last}", POSES + 1),
+        };
+        say!("  ({poses}: with --json, or in a file with -o FILE --channels all)");
     }
     for note in &report.results.notes {
         summary::tell(note);

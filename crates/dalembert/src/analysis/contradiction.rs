@@ -30,8 +30,11 @@ pub(super) fn contradiction(
             .ok()?
             .into_iter()
             .find_map(|found| {
-                let among =
-                    |e: &crate::system::ElementData<Planar>| found.elements.contains(&e.name);
+                let all = [&found.elements[..], &found.through].concat();
+                let among = |e: &crate::system::ElementData<Planar>| all.contains(&e.name);
+                // In the order of the model.
+                let names = system.elements.iter().filter(|e| among(e));
+                let names: Vec<String> = names.map(|e| e.name.clone()).collect();
                 // One driver alone is at a dead centre, where its rows depend on the joints' in this pose only.
                 let drivers = system.elements.iter();
                 let drivers = drivers.filter(|e| among(e) && e.role == Role::Driver);
@@ -39,7 +42,7 @@ pub(super) fn contradiction(
                 let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
                 (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
                     time: good.t,
-                    elements: crate::words::listed(&found.elements),
+                    elements: crate::words::listed(&names),
                 })
             })
     })

@@ -117,6 +117,16 @@ impl Dynamics {
                     stopped = Some(self.out_of_steps(&pace, &integrator, steps, &mut motion));
                     break 'instants;
                 }
+                if pace.crawls(integrator.t, steps)
+                    && let Some(detail) = motion.jumping(integrator.t, &integrator.y)
+                {
+                    stopped = Some(AnalysisError::OutOfSteps {
+                        time: integrator.t,
+                        steps,
+                        detail,
+                    });
+                    break 'instants;
+                }
                 match integrator.step(&mut motion, end) {
                     Ok(report) => {
                         steps += 1;
@@ -205,6 +215,13 @@ impl Dynamics {
             max_step: self.max_step,
             baumgarte: self.stabilization == Stabilization::Baumgarte,
         };
+        if let Some(detail) = motion.jumping(integrator.t, &integrator.y) {
+            return AnalysisError::OutOfSteps {
+                time: integrator.t,
+                steps,
+                detail,
+            };
+        }
         let fastest = motion.stiffest(integrator.t, &integrator.y);
         let (t, stiffness) = (integrator.t, &integrator.stiffness);
         AnalysisError::OutOfSteps {

@@ -28,8 +28,10 @@ pub enum AnalysisError {
     },
     /// The machine can still move although its motion should be given by drivers.
     #[error(
-        "the machine is not driven in every freedom: {} free ({names}); add drivers or use simulate",
-        if *freedoms == 1 { "1 remains".to_owned() } else { format!("{freedoms} remain") }
+        "the machine is not driven in every freedom: {} free ({}{names}); add drivers or use simulate",
+        if *freedoms == 1 { "1 remains".to_owned() } else { format!("{freedoms} remain") },
+        // More names than freedoms: they depend on each other.
+        if names.split(", ").count() > *freedoms { "of " } else { "" }
     )]
     NotDriven {
         /// Number of free motions.

@@ -3,7 +3,7 @@
 use super::massless;
 use super::meeting::Meeting;
 use super::recorder::{energies, outside_power};
-use super::stiffest::{Stiffest, stiffest};
+use super::stiffest::{Stiffest, jumping, stiffest};
 use super::{AnalysisError, Dynamics};
 use crate::integrate::{Dopri5, Ode};
 use crate::model::Stabilization;
@@ -112,6 +112,12 @@ impl<'a> Motion<'a> {
         stiffest(self.system, &mut self.ws, &state, &mut self.metric)
     }
 
+    /// A force element that jumps at a state, in words.
+    pub(super) fn jumping(&mut self, t: f64, y: &[f64]) -> Option<String> {
+        let state = self.state(t, y);
+        jumping(self.system, &mut self.ws, &state)
+    }
+
     /// Refuses an accepted step, whose markers the workspace holds, in which points met.
     pub(super) fn passed(&mut self, t: f64) -> Result<(), AnalysisError> {
         self.meeting.step(self.system, &self.ws, t)
@@ -136,9 +142,10 @@ impl<'a> Motion<'a> {
         {
             return met;
         }
+        let jump = jumping(self.system, &mut self.ws, &state);
         let detail = match cause {
             Some(error) => error.to_string(),
-            None => "the forces or the motion are too rough for the tolerance: look for a stiff spring, a jump in a force, or a singular pose near here".to_owned(),
+            None => jump.unwrap_or_else(|| "the forces or the motion are too rough for the tolerance: look for a stiff spring, a jump in a force, or a singular pose near here".to_owned()),
         };
         AnalysisError::StepTooSmall {
             time: integrator.t,

@@ -7,6 +7,9 @@ use crate::integrate::Stiffness;
 /// reach is given up: a collision or another short stiff phase takes fewer.
 const LONG: usize = 10_000;
 
+/// Steps between two looks at how fast a run gets on.
+const LOOK: usize = 1_000;
+
 /// Counts the steps of a simulation against those that it may take.
 #[derive(Clone, Debug)]
 pub(super) struct Pace {
@@ -15,6 +18,9 @@ pub(super) struct Pace {
     end: f64,
     /// Time at which the present run of steps at the boundary of stability began.
     stiff_from: f64,
+    /// Time at the last look at the speed of the run, and looks in a row at which it crawled.
+    looked: f64,
+    crawled: usize,
 }
 
 impl Pace {
@@ -25,6 +31,8 @@ impl Pace {
             start,
             end,
             stiff_from: start,
+            looked: start,
+            crawled: 0,
         }
     }
 
@@ -47,6 +55,22 @@ impl Pace {
         }
         let mean = (t - self.stiff_from) / stiffness.streak as f64;
         (self.end - t) > mean * self.most as f64
+    }
+
+    /// Has the run been so slow over the last thousands of steps that all the steps it may take would
+    /// not bring it to its end?
+    pub fn crawls(&mut self, t: f64, steps: usize) -> bool {
+        if steps == 0 || !steps.is_multiple_of(LOOK) {
+            return false;
+        }
+        let mean = (t - self.looked) / LOOK as f64;
+        self.looked = t;
+        self.crawled = if self.end - t > mean * self.most as f64 {
+            self.crawled + 1
+        } else {
+            0
+        };
+        self.crawled >= 3
     }
 
     /// What held a run up that took `steps` steps until `t`, and what to do.

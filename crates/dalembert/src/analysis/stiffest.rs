@@ -60,6 +60,40 @@ pub(super) fn stiffest(
     best
 }
 
+/// Distance on both sides of a state at which a jump is looked for, relative to size and radians
+/// (per second): a run that hangs at a jump stays much nearer to it.
+const ASIDE: f64 = 1e-4;
+
+/// Finds a force element that jumps at a state, and says so with the remedy. Its force differs on
+/// the two sides of the state, and hardly less so a tenth as far away.
+pub(super) fn jumping(
+    system: &System<Planar>,
+    ws: &mut Workspace<Planar>,
+    state: &State,
+) -> Option<String> {
+    system.update_markers(&state.q, &state.v, ws);
+    let probe = Probe {
+        system,
+        ws,
+        state,
+        scale: column_scale(system),
+    };
+    system.forces.iter().find_map(|force| {
+        let place = force.element.jump()?;
+        probe.jumps(force).then(|| {
+            let remedy = if place.starts_with("sign") {
+                "replace sign(x) by tanh(x / eps) with a small eps"
+            } else {
+                "let it change steadily, as blend(x, x0, x1) or tanh(x / eps) do"
+            };
+            format!(
+                "the force '{}' jumps ({place}): the machine is driven back to the jump from both sides, and the run cannot go on; {remedy}",
+                force.name
+            )
+        })
+    })
+}
+
 struct Probe<'a> {
     system: &'a System<Planar>,
     ws: &'a mut Workspace<Planar>,
@@ -68,6 +102,31 @@ struct Probe<'a> {
 }
 
 impl Probe<'_> {
+    /// Does a force differ on two sides of the state, however near these are?
+    fn jumps(&self, force: &ForceData<Planar>) -> bool {
+        let bodies = force.markers.iter();
+        let bodies = bodies.filter_map(|&m| self.system.markers[m].body);
+        bodies.flat_map(|b| 3 * b..3 * b + 3).any(|k| {
+            let mut direction = vec![0.0; self.system.nv()];
+            direction[k] = self.scale[k];
+            [true, false].into_iter().any(|damping| {
+                let difference = |step: f64| {
+                    let ahead = self.wrenches(force, &direction, step, damping);
+                    let behind = self.wrenches(force, &direction, -step, damping);
+                    let pairs = ahead.iter().zip(&behind);
+                    let most = ahead
+                        .iter()
+                        .chain(&behind)
+                        .fold(0.0_f64, |m, x| m.max(x.abs()));
+                    (pairs.fold(0.0_f64, |m, (a, b)| m.max((a - b).abs())), most)
+                };
+                let (far, most) = difference(ASIDE);
+                let (near, _) = difference(0.1 * ASIDE);
+                far > 1e-3 * most && near > 0.5 * far
+            })
+        })
+    }
+
     /// Largest eigenvalue, in size, that a force element gives the machine.
     fn eigenvalue(&mut self, force: &ForceData<Planar>, damping: bool) -> Option<f64> {
         // A first push with parts along everything that the element can feel.

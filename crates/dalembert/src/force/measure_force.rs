@@ -54,6 +54,12 @@ impl<S: Space> ForceElement<S> for MeasureForce<S> {
         self.force(t, markers, 0.0, 0.0) != 0.0
     }
 
+    fn jump(&self) -> Option<&str> {
+        [&self.stiffness, &self.damping, &self.free, &self.actuator]
+            .into_iter()
+            .find_map(Coefficient::jump)
+    }
+
     fn report(&self, t: f64, markers: &[S::Marker]) -> ForceReport {
         let m = self.measure.evaluate(markers);
         let f = self.force(t, markers, m.value, m.rate);

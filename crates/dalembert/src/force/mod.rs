@@ -54,6 +54,10 @@ pub trait ForceElement<S: Space>: Debug + Send + Sync {
     fn pulls_at_zero(&self, _t: f64, _markers: &[S::Marker]) -> bool {
         false
     }
+    /// A part of its law whose value can jump, like "sign(x)".
+    fn jump(&self) -> Option<&str> {
+        None
+    }
     /// Energy and reported values.
     fn report(&self, t: f64, markers: &[S::Marker]) -> ForceReport;
     /// What `report` reports; at most four.

@@ -40,6 +40,11 @@ impl ForceElement<Planar> for PointForce {
         1
     }
 
+    fn jump(&self) -> Option<&str> {
+        let [x, y] = &self.force;
+        [x, y, &self.moment].into_iter().find_map(Coefficient::jump)
+    }
+
     fn report(&self, t: f64, markers: &[PlanarMarker]) -> ForceReport {
         let w = self.wrench(t, markers);
         let m = &markers[0];

@@ -232,3 +232,31 @@ fn names_that_do_not_fit_are_reported() {
         assert_eq!(name, unknown.name());
     }
 }
+
+/// A driver that holds what the load is to hold gives way to it; of two that could, neither is chosen.
+#[test]
+fn a_driver_gives_way_to_the_load_that_is_asked_for() {
+    let pendulum = |drivers: serde_json::Value, further: serde_json::Value| {
+        let mut joints = vec![pin("O", ["ground", "bar"], [[0.0, 0.0], [-0.5, 0.0]])];
+        joints.extend(further.as_array().unwrap().clone());
+        system(json!({
+            "model": {"name": "bar", "gravity": [0.0, -G]},
+            "body": [rod("bar", 2.0, 1.0, [0.0, 0.0], 0.0), rod("tip", 1.0, 1.0, [1.0, 0.0], 0.0)],
+            "joint": joints,
+            "driver": drivers,
+        }))
+    };
+    let hinge = json!([pin("A", ["bar", "tip"], [[0.5, 0.0], [-0.5, 0.0]])]);
+    let drive = |name: &str, joint: &str| json!({"name": name, "kind": "angle", "joint": joint, "value": 0.0});
+    // Both pins are driven: only the driver of O gives way, A stays held.
+    let machine = pendulum(json!([drive("one", "O"), drive("two", "A")]), hinge);
+    let held = hold(&machine, &[effort("O")]).unwrap();
+    assert_eq!(held.released, ["one"]);
+    assert!(held.loads[0].unique);
+    close(held.loads[0].value, G * (2.0 * 0.5 + 1.0 * 1.5), 1e-11);
+    assert!(held.results.notes[0].contains("driver one"));
+    // Asked for a driver, nothing else gives way.
+    let own = hold(&machine, &[effort("one")]).unwrap();
+    assert!(own.released.is_empty());
+    close(own.loads[0].value, held.loads[0].value, 1e-11);
+}

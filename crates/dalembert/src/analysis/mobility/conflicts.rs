@@ -1,10 +1,12 @@
 //! Constraints that cannot hold together.
 
 use super::super::AnalysisError;
-use super::ranked::evaluated;
+use super::nearby::nearby_poses;
+use super::ranked::{Ranked, evaluated};
 use crate::formulation::column_scale;
+use crate::joint::RowUnit;
 use crate::space::Planar;
-use crate::system::{State, System, Workspace};
+use crate::system::{Role, State, System, Workspace};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 use std::fmt;
@@ -12,12 +14,17 @@ use std::fmt;
 /// A set of elements of which each is needed for the contradiction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Conflict {
-    /// Names of the elements.
+    /// Names of the elements that contradict each other: drivers and initial conditions where the
+    /// joints and constraints alone can be met, else joints and constraints.
     pub elements: Vec<String>,
+    /// Names of the joints and constraints that the contradiction passes through.
+    pub through: Vec<String>,
     /// Their worst row, in words.
     pub worst: String,
-    /// Its residual at the best compromise [SI units].
+    /// Its residual at the best compromise.
     pub residual: f64,
+    /// Its unit: "m", "rad" or none.
+    pub unit: &'static str,
 }
 
 /// Machines with more coordinates than this are not searched for smallest sets: all elements that
@@ -31,45 +38,240 @@ const MOST_ELEMENTS: usize = 60;
 /// The sets of constraints, drivers and initial conditions that keep a machine from being
 /// assembled, near a state: empty where there is no contradiction.
 ///
-/// At the best compromise in the sense of least squares, J^T C = 0: the residual itself is a left
-/// null vector, and the rows where it is not zero contradict each other. An element without
-/// which the contradiction remains is then left out.
+/// Where the joints and constraints alone can be met, the smallest sets of drivers and initial
+/// conditions that they do not admit are looked for. Else, at the best compromise in the sense of
+/// least squares, J^T C = 0: the residual itself is a left null vector, and the rows where it is
+/// not zero contradict each other; elements without which the contradiction remains are left out.
 ///
 /// # Errors
 /// An element gives values that are not finite.
 pub fn conflicts(system: &System<Planar>, state: &State) -> Result<Vec<Conflict>, AnalysisError> {
     let full = system.start_positions();
     let best = compromise(&full, state)?;
-    let ws = evaluated(&full, &best);
-    let (worst, _) = full.violation(&ws);
-    if worst <= CONTRADICTION {
+    if !contradicts(&full, &best) {
         return Ok(Vec::new());
     }
+    let mut trials = Trials::new(&full, state);
+    if full.nv() <= DENSE_LIMIT && full.elements.len() <= MOST_ELEMENTS {
+        let askers: Vec<usize> = (0..full.elements.len())
+            .filter(|&e| asks(&full, e))
+            .collect();
+        let found = trials.among(&askers)?;
+        if !found.is_empty() {
+            return Ok(found);
+        }
+    }
+    let ws = evaluated(&full, &best);
+    let (worst, _) = full.violation(&ws);
     let involved: Vec<usize> = (0..full.elements.len())
         .filter(|&e| scaled_residual(&full, &ws, e) > 1e-3 * worst)
         .collect();
     let mut list = Vec::new();
     for group in groups(&full, &involved) {
         let kept = if group.len() <= MOST_ELEMENTS && full.nv() <= DENSE_LIMIT {
-            reduce(&full, &best, &group)?
+            trials.start_from(&best);
+            trials.reduce(&group, &[])?
         } else {
             group
         };
-        let row = kept
-            .iter()
-            .flat_map(|&e| full.elements[e].rows.clone())
-            .max_by(|&a, &b| scaled(&full, &ws, a).total_cmp(&scaled(&full, &ws, b)));
-        let Some(row) = row else { continue };
-        list.push(Conflict {
-            elements: kept
-                .iter()
-                .map(|&e| full.elements[e].name.clone())
-                .collect(),
-            worst: full.row_name(row),
-            residual: ws.value[row].abs(),
-        });
+        list.extend(Conflict::new(&full, &best, &kept, &[]));
     }
     Ok(list)
+}
+
+/// Is an element a driver or an initial condition that can be left out? Elements with coordinates
+/// of their own must stay for these to keep their places.
+fn asks(system: &System<Planar>, element: usize) -> bool {
+    let e = &system.elements[element];
+    matches!(e.role, Role::Driver | Role::Start) && e.aux.is_empty()
+}
+
+fn contradicts(system: &System<Planar>, state: &State) -> bool {
+    system.violation(&evaluated(system, state)).0 > CONTRADICTION
+}
+
+/// Part of a machine's elements.
+fn part(system: &System<Planar>, stay: &[usize]) -> System<Planar> {
+    // First rows tell elements apart.
+    let rows: Vec<usize> = stay
+        .iter()
+        .map(|&e| system.elements[e].rows.start)
+        .collect();
+    system.with_elements(|e| !e.aux.is_empty() || rows.contains(&e.rows.start))
+}
+
+/// Attempts to assemble parts of a machine, from several poses: the way down from one of them may
+/// end at a dead centre.
+struct Trials<'a> {
+    system: &'a System<Planar>,
+    starts: Vec<State>,
+}
+
+/// Most poses that are tried from.
+const MOST_STARTS: usize = 8;
+/// Singular values up to this part of the largest one count as zero.
+const RANK: f64 = 1e-8;
+/// Distance of further poses, relative to the size or in radians.
+const ASIDE: f64 = 0.3;
+
+impl<'a> Trials<'a> {
+    fn new(system: &'a System<Planar>, state: &State) -> Self {
+        Self {
+            system,
+            starts: vec![state.clone()],
+        }
+    }
+
+    fn start_from(&mut self, state: &State) {
+        if self.starts.len() < MOST_STARTS {
+            self.starts.push(state.clone());
+        }
+    }
+
+    /// A pose that meets these elements, where one is found.
+    fn meet(&self, elements: &[usize]) -> Result<Option<State>, AnalysisError> {
+        let own = part(self.system, elements);
+        for start in &self.starts {
+            let pose = compromise(&own, start)?;
+            if !contradicts(&own, &pose) {
+                return Ok(Some(pose));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The smallest sets among drivers and initial conditions that the joints and constraints do not
+    /// admit: single ones, then pairs, then one larger set. None where the joints themselves fail.
+    fn among(&mut self, askers: &[usize]) -> Result<Vec<Conflict>, AnalysisError> {
+        let joints: Vec<usize> = (0..self.system.elements.len())
+            .filter(|e| !askers.contains(e))
+            .collect();
+        let with = |more: &[usize]| [&joints[..], more].concat();
+        let Some(pose) = self.meet(&joints)? else {
+            return Ok(Vec::new());
+        };
+        self.start_from(&pose);
+        // At a dead centre every way to where a driver wants to go begins level.
+        let base = part(self.system, &joints);
+        let ranked = Ranked::new(&base, &pose, RANK, DENSE_LIMIT)?;
+        if let Some(dense) = &ranked.dense {
+            for near in nearby_poses(&base, &pose, &dense.null_space, 2, ASIDE) {
+                self.start_from(&near);
+            }
+        }
+        let mut sets: Vec<Vec<usize>> = Vec::new();
+        let mut fine = Vec::new();
+        for &e in askers {
+            match self.meet(&with(&[e]))? {
+                Some(pose) => {
+                    self.start_from(&pose);
+                    fine.push(e);
+                }
+                None => sets.push(vec![e]),
+            }
+        }
+        for (k, &a) in fine.iter().enumerate() {
+            for &b in &fine[k + 1..] {
+                if self.meet(&with(&[a, b]))?.is_none() {
+                    sets.push(vec![a, b]);
+                }
+            }
+        }
+        if sets.is_empty() && self.meet(&with(&fine))?.is_none() {
+            let mut kept = fine.clone();
+            for &candidate in &fine {
+                let rest: Vec<usize> = kept.iter().copied().filter(|&e| e != candidate).collect();
+                if self.meet(&with(&rest))?.is_none() {
+                    kept = rest;
+                }
+            }
+            sets.push(kept);
+        }
+        let mut list = Vec::new();
+        for set in sets {
+            let through: Vec<usize> = self
+                .reduce(&with(&set), &set)?
+                .into_iter()
+                .filter(|e| !set.contains(e))
+                .collect();
+            let own = part(self.system, &with(&set));
+            let mut best: Option<(f64, State)> = None;
+            for start in &self.starts {
+                let pose = compromise(&own, start)?;
+                let (off, _) = own.violation(&evaluated(&own, &pose));
+                if best.as_ref().is_none_or(|(least, _)| off < *least) {
+                    best = Some((off, pose));
+                }
+            }
+            let Some((_, pose)) = best else { continue };
+            list.extend(Conflict::new(self.system, &pose, &set, &through));
+        }
+        Ok(list)
+    }
+
+    /// Leaves out every element of a group without which the group still contradicts itself, but for
+    /// those that must stay; in both orders, of which the smaller set counts.
+    fn reduce(&self, group: &[usize], stay: &[usize]) -> Result<Vec<usize>, AnalysisError> {
+        let forward = self.reduce_along(group.iter().copied(), group, stay)?;
+        let backward = self.reduce_along(group.iter().rev().copied(), group, stay)?;
+        Ok(if backward.len() < forward.len() {
+            backward
+        } else {
+            forward
+        })
+    }
+
+    fn reduce_along(
+        &self,
+        order: impl Iterator<Item = usize>,
+        group: &[usize],
+        stay: &[usize],
+    ) -> Result<Vec<usize>, AnalysisError> {
+        let mut kept = group.to_vec();
+        for candidate in order {
+            if stay.contains(&candidate) || !self.system.elements[candidate].aux.is_empty() {
+                continue;
+            }
+            let rest: Vec<usize> = kept.iter().copied().filter(|&e| e != candidate).collect();
+            if self.meet(&rest)?.is_none() {
+                kept = rest;
+            }
+        }
+        kept.sort_unstable();
+        Ok(kept)
+    }
+}
+
+impl Conflict {
+    /// With the worst row of the elements at the best compromise.
+    fn new(
+        system: &System<Planar>,
+        best: &State,
+        elements: &[usize],
+        through: &[usize],
+    ) -> Option<Self> {
+        let ws = evaluated(system, best);
+        let names = |list: &[usize]| {
+            list.iter()
+                .map(|&e| system.elements[e].name.clone())
+                .collect::<Vec<_>>()
+        };
+        let row = elements
+            .iter()
+            .flat_map(|&e| system.elements[e].rows.clone())
+            .max_by(|&a, &b| scaled(system, &ws, a).total_cmp(&scaled(system, &ws, b)))?;
+        Some(Self {
+            elements: names(elements),
+            through: names(through),
+            worst: system.row_name(row),
+            residual: ws.value[row].abs(),
+            unit: match system.row_refs()[row].label.unit {
+                RowUnit::Length => "m",
+                RowUnit::Angle => "rad",
+                RowUnit::Other => "",
+            },
+        })
+    }
 }
 
 fn scaled(system: &System<Planar>, ws: &Workspace<Planar>, row: usize) -> f64 {
@@ -100,34 +302,6 @@ fn groups(system: &System<Planar>, elements: &[usize]) -> Vec<Vec<usize>> {
     }
     groups.sort();
     groups
-}
-
-/// Leaves out every element of a group without which the group still contradicts itself.
-fn reduce(
-    system: &System<Planar>,
-    state: &State,
-    group: &[usize],
-) -> Result<Vec<usize>, AnalysisError> {
-    let mut kept = group.to_vec();
-    for &candidate in group {
-        // Elements with coordinates of their own must stay for these to keep their places.
-        if !system.elements[candidate].aux.is_empty() {
-            continue;
-        }
-        // First rows tell elements apart.
-        let stay: Vec<usize> = kept
-            .iter()
-            .filter(|&&e| e != candidate)
-            .map(|&e| system.elements[e].rows.start)
-            .collect();
-        let rest = system.with_elements(|e| !e.aux.is_empty() || stay.contains(&e.rows.start));
-        let best = compromise(&rest, state)?;
-        let (worst, _) = rest.violation(&evaluated(&rest, &best));
-        if worst > CONTRADICTION {
-            kept.retain(|&e| e != candidate);
-        }
-    }
-    Ok(kept)
 }
 
 /// The pose of least squares of the scaled residuals, by Levenberg's and Marquardt's method.
@@ -203,19 +377,31 @@ fn compromise(system: &System<Planar>, state: &State) -> Result<State, AnalysisE
 
 impl fmt::Display for Conflict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.elements[..] {
-            [only] => write!(f, "{only} cannot be met"),
-            names => write!(
+        use crate::words::{listed, readable};
+        match (&self.elements[..], &self.through[..]) {
+            ([only], []) => write!(f, "{only} cannot be met"),
+            ([only], through) => {
+                write!(
+                    f,
+                    "{only} cannot be met: {} do not allow it near this pose",
+                    listed(through)
+                )
+            }
+            (names, []) => write!(f, "{} cannot hold together near this pose", listed(names)),
+            (names, through) => write!(
                 f,
-                "{} cannot hold together near this pose",
-                crate::words::listed(names)
+                "{} cannot hold together near this pose: they depend on each other through {}",
+                listed(names),
+                listed(through)
             ),
         }?;
+        let space = if self.unit.is_empty() { "" } else { " " };
         write!(
             f,
-            " (at the best compromise {} is off by {})",
+            " (at the best compromise {} is off by {}{space}{})",
             self.worst,
-            crate::words::readable(self.residual)
+            readable(self.residual),
+            self.unit
         )
     }
 }

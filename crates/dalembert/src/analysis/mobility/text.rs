@@ -101,7 +101,11 @@ impl fmt::Display for MobilityReport {
         }
         block(
             f,
-            "Redundant rows (harmless for the motion):",
+            if self.locked || m.is_singular() {
+                "Redundant rows (they repeat others; it is not they that lock the machine):"
+            } else {
+                "Redundant rows (harmless for the motion):"
+            },
             &self.redundant,
         )?;
         block(

@@ -10,6 +10,7 @@ use crate::results::Results;
 use crate::solve::rank::Svd;
 use crate::space::Planar;
 use crate::system::{ElementData, Role, State, System};
+use crate::words::listed;
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -54,6 +55,9 @@ pub struct HoldingLoads {
     pub loads: Vec<HoldingLoad>,
     /// Multipliers of the rows that always hold; those of drivers among the unknowns are their loads.
     pub multipliers: Vec<f64>,
+    /// Drivers that hold what an unknown load is to hold: they were left out.
+    #[serde(default)]
+    pub released: Vec<String>,
     /// Coordinates and reactions under these loads.
     pub results: Results,
 }
@@ -70,10 +74,11 @@ struct Direction {
 /// B^T (Q_e + sum of unknown * g) = 0, then the multipliers from C_q^T lambda = Q_e + sum.
 ///
 /// The pose is moved onto the constraints first. Drivers that are not among the unknowns hold as
-/// constraints.
+/// constraints, but for one that alone holds what an unknown load is to hold: it is left out.
 ///
 /// # Errors
-/// An unknown does not exist, the pose cannot be assembled, or no sizes of these loads hold it.
+/// An unknown does not exist, the pose cannot be assembled, several drivers hold what an unknown
+/// load is to hold, or no sizes of these loads hold the pose.
 pub fn holding_loads(
     system: &System<Planar>,
     state: &State,
@@ -105,6 +110,7 @@ pub fn holding_loads(
     for row in directions.iter().filter_map(|d| d.row) {
         held.row_mut(row).fill(0.0);
     }
+    let released = release(&problem, &mut held, &directions, unknowns, &known)?;
     let motions = Motions::of(&problem, &held)?;
     let basis = &motions.basis;
     let loads = solve(&problem, basis, &directions, &known)?;
@@ -135,7 +141,18 @@ pub fn holding_loads(
             multipliers[row] = -value;
         }
     }
-    let results = record(&mut problem, &q, &multipliers, unknowns);
+    for &e in &released {
+        let rows = running.elements[e].rows.clone();
+        multipliers[rows].fill(0.0);
+    }
+    let released: Vec<String> = released
+        .iter()
+        .map(|&e| running.elements[e].name.clone())
+        .collect();
+    let mut results = record(&mut problem, &q, &multipliers, unknowns);
+    results.notes.extend(released.iter().map(|name| {
+        format!("driver {name} holds the machine as well: it was left out, so that the loads asked for hold instead of it")
+    }));
     Ok(HoldingLoads {
         loads: unknowns
             .iter()
@@ -148,8 +165,78 @@ pub fn holding_loads(
             })
             .collect(),
         multipliers,
+        released,
         results,
     })
+}
+
+/// Clears the rows of drivers that leave an unknown load nothing to hold; returns their elements.
+fn release(
+    problem: &Problem<'_>,
+    held: &mut DMatrix<f64>,
+    directions: &[Direction],
+    unknowns: &[Unknown],
+    known: &DVector<f64>,
+) -> Result<Vec<usize>, AnalysisError> {
+    let mut released = Vec::new();
+    let unique = |held: &DMatrix<f64>| -> Result<Vec<bool>, AnalysisError> {
+        let motions = Motions::of(problem, held)?;
+        let loads = solve(problem, &motions.basis, directions, known)?;
+        Ok(loads.into_iter().map(|(_, unique)| unique).collect())
+    };
+    for (j, unknown) in unknowns.iter().enumerate() {
+        let before = unique(held)?;
+        if before[j] {
+            continue;
+        }
+        let mut freeing = Vec::new();
+        for (e, element) in problem.system.elements.iter().enumerate() {
+            let asked = |d: &Direction| d.row.is_some_and(|row| element.rows.contains(&row));
+            if element.role != Role::Driver || released.contains(&e) || directions.iter().any(asked)
+            {
+                continue;
+            }
+            let without = without_rows(held, element);
+            let after = unique(&without)?;
+            // A driver whose place this load takes costs no other load its size.
+            if after[j] && before.iter().zip(&after).all(|(old, new)| *new || !old) {
+                freeing.push(e);
+            }
+        }
+        match freeing.as_slice() {
+            [] => {}
+            [only] => {
+                *held = without_rows(held, &problem.system.elements[*only]);
+                released.push(*only);
+            }
+            several => {
+                let names: Vec<String> = several
+                    .iter()
+                    .map(|&e| problem.system.elements[e].name.clone())
+                    .collect();
+                return Err(AnalysisError::BadName {
+                    what: match unknown {
+                        Unknown::Effort(_) => "joint or driver",
+                        Unknown::Force(_) => "force",
+                    },
+                    name: unknown.name().to_owned(),
+                    detail: format!(
+                        "the drivers {} hold the machine already, and this load could take the place of each; ask for the load of one of these drivers instead, or leave one of them out of the model",
+                        listed(&names)
+                    ),
+                });
+            }
+        }
+    }
+    Ok(released)
+}
+
+fn without_rows(held: &DMatrix<f64>, element: &ElementData<Planar>) -> DMatrix<f64> {
+    let mut rest = held.clone();
+    for row in element.rows.clone() {
+        rest.row_mut(row).fill(0.0);
+    }
+    rest
 }
 
 /// Sizes of the loads by least squares in the free motions, and whether each is unique.

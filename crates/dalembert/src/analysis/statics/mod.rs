@@ -152,9 +152,7 @@ impl Statics {
             return Err(diagnosis::none(&mut problem, &estimate, &first, starts));
         }
         let mut equilibria = found.equilibria;
-        equilibria.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-        let chief = chief(&equilibria);
-        equilibria[..=chief].rotate_right(1);
+        sort(&mut equilibria);
         let mut results = record(&mut problem, &equilibria)?;
         if !all {
             results.notes.push(format!(
@@ -306,16 +304,20 @@ impl Statics {
     }
 }
 
-/// Which of the equilibria, in order of their distance, is the answer: the estimate itself where it
-/// is one, else the nearest of the most stable ones.
-fn chief(equilibria: &[Equilibrium]) -> usize {
-    if equilibria[0].distance < SAME {
-        return 0;
-    }
-    [Stability::Stable, Stability::Neutral, Stability::Unstable]
-        .into_iter()
-        .find_map(|s| equilibria.iter().position(|e| e.stability == s))
-        .unwrap_or(0)
+/// The estimate itself first where it is in equilibrium; then stable, neutral and unstable
+/// equilibria, each by distance from the estimate.
+fn sort(equilibria: &mut [Equilibrium]) {
+    let class = |e: &Equilibrium| match e.stability {
+        _ if e.distance < SAME => 0,
+        Stability::Stable => 1,
+        Stability::Neutral => 2,
+        Stability::Unstable => 3,
+    };
+    equilibria.sort_by(|a, b| {
+        class(a)
+            .cmp(&class(b))
+            .then(a.distance.total_cmp(&b.distance))
+    });
 }
 
 /// One instant for each equilibrium.
@@ -379,11 +381,6 @@ fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Resul
                 "equilibrium {}: forces without potential act; its stiffness alone does not exclude flutter",
                 k + 1
             ));
-        }
-        for motion in &e.motions {
-            results
-                .notes
-                .push(format!("equilibrium {}: {motion}", k + 1));
         }
     }
     Ok(results)

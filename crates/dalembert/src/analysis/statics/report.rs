@@ -38,8 +38,8 @@ pub struct Equilibrium {
 pub struct StaticsReport {
     /// Time at which the drivers are frozen [s].
     pub time: f64,
-    /// The equilibria. First the estimate itself where it is one; otherwise the stable (then the
-    /// neutral, then the unstable) one nearest to the estimate. The others follow by distance.
+    /// The equilibria: the estimate itself first where it is one, then the stable, the neutral and
+    /// the unstable ones, each kind by its distance from the estimate.
     pub equilibria: Vec<Equilibrium>,
     /// Number of independent free motions at the estimate.
     pub freedoms: usize,
