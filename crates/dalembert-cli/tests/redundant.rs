@@ -48,7 +48,7 @@ fn all_commands_give_the_same_set_and_say_which() {
     assert_eq!(note, same);
     assert_eq!(
         note,
-        "warning: redundant constraints: the reactions of A, B, C, D, E, F are not unique; the least set is \
+        "warning: redundant constraints: the reactions of A, B, C, D, E and F are not unique; the least set is \
          given (least sum of squares, forces times the size of the machine)"
     );
     let (simulate, same) = pins("simulate");
