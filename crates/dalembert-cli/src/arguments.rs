@@ -85,16 +85,16 @@ pub struct RunArgs {
     /// Write all channels to this file: .csv, .npz or .json; can be repeated
     #[arg(long, short, value_name = "FILE")]
     pub out: Vec<PathBuf>,
-    /// Start time [s]
+    /// Start time, for statics the time of the forces [s]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub start: Option<String>,
-    /// End time [s]
+    /// End time [s]; not for statics
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub end: Option<String>,
-    /// Time between results [s]
+    /// Time between results [s]; not for statics
     #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub step: Option<String>,
-    /// Relative error tolerance of the integration
+    /// Relative error tolerance of the integration; for simulate and view
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
     /// Channels to write, like "crank.*"; default as the model says, or all; can be repeated

@@ -132,6 +132,19 @@ fn read(path: &Path) -> Result<String, Failure> {
     })
 }
 
+/// Refuses options that an analysis has no use for.
+pub fn refuse(analysis: &str, options: &[(&Option<String>, &str, &str)]) -> Result<(), Failure> {
+    let given = options.iter().find(|(value, ..)| value.is_some());
+    given.map_or(Ok(()), |(_, option, reason)| {
+        Err(Failure::Usage(format!(
+            "{analysis} has no use for {option}: {reason}; leave it out"
+        )))
+    })
+}
+
+/// Why kinematic analyses have no tolerance.
+pub const EXACT: &str = "its poses are exact to rounding";
+
 /// Refuses to write two things to one file.
 fn check_files(args: &RunArgs) -> Result<(), Failure> {
     let mut files: Vec<&std::path::PathBuf> = args.out.iter().collect();

@@ -261,3 +261,22 @@ fn equations_at_a_time_integrate_rates_from_the_start() {
         assert!((q[2] - expected).abs() < 1e-12, "{time}: {q:?}");
     }
 }
+
+/// Options that would do nothing are refused.
+#[test]
+fn options_without_use_are_refused() {
+    let file = folder("no-use").join("model.toml");
+    std::fs::write(&file, BLOCK).unwrap();
+    for (command, option, value) in [
+        ("statics", "--end", "5"),
+        ("statics", "--step", "0.1"),
+        ("statics", "--tolerance", "1e-3"),
+        ("kinematics", "--tolerance", "1e-3"),
+        ("inverse", "--tolerance", "1e-3"),
+    ] {
+        let ended = dalembert(&[command, file.to_str().unwrap(), option, value]);
+        assert_eq!(ended.code, 2, "{}", ended.err);
+        let expected = format!("{command} has no use for {option}");
+        assert!(ended.err.contains(&expected), "{}", ended.err);
+    }
+}

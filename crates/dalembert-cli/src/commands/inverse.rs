@@ -2,12 +2,13 @@
 
 use crate::arguments::InverseArgs;
 use crate::failure::Failure;
-use crate::load::load_run;
+use crate::load::{EXACT, load_run, refuse};
 use crate::summary;
 use dalembert::analysis::{Inverse, NewtonOptions};
 
 /// Runs the inverse dynamics and prints its summary.
 pub fn run(args: &InverseArgs) -> Result<(), Failure> {
+    refuse("inverse", &[(&args.run.tolerance, "--tolerance", EXACT)])?;
     let loaded = load_run(&args.run)?;
     let options = &loaded.compiled.options;
     let analysis = Inverse {

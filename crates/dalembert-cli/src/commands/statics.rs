@@ -2,7 +2,7 @@
 
 use crate::arguments::{StaticsArgs, StaticsRoute};
 use crate::failure::Failure;
-use crate::load::{Loaded, load_run};
+use crate::load::{EXACT, Loaded, load_run, refuse};
 use crate::{output, summary};
 use dalembert::analysis::{
     Assembly, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown, holding_loads,
@@ -18,6 +18,15 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
                 .to_owned(),
         ));
     }
+    let whole = "an equilibrium has no duration";
+    refuse(
+        "statics",
+        &[
+            (&args.run.end, "--end", whole),
+            (&args.run.step, "--step", whole),
+            (&args.run.tolerance, "--tolerance", EXACT),
+        ],
+    )?;
     let loaded = load_run(&args.run)?;
     let system = &loaded.compiled.system;
     if !args.hold.is_empty() || !args.hold_force.is_empty() {
