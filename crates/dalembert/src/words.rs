@@ -27,17 +27,21 @@ pub fn readable(x: f64) -> String {
 }
 
 /// "A, B and C", shortened where the list is long.
-pub fn listed(names: &[String]) -> String {
+pub fn listed<T: AsRef<str>>(names: &[T]) -> String {
     const MOST: usize = 10;
+    let joined = |part: &[T]| {
+        part.iter()
+            .map(AsRef::as_ref)
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
     match names {
         [] => "nothing".to_owned(),
-        [only] => only.clone(),
-        _ if names.len() > MOST => format!(
-            "{} and {} more",
-            names[..MOST].join(", "),
-            names.len() - MOST
-        ),
-        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+        [only] => only.as_ref().to_owned(),
+        _ if names.len() > MOST => {
+            format!("{} and {} more", joined(&names[..MOST]), names.len() - MOST)
+        }
+        [rest @ .., last] => format!("{} and {}", joined(rest), last.as_ref()),
     }
 }
 

@@ -4,7 +4,7 @@ use super::AnalysisError;
 use super::mobility::conflicts;
 use super::weights::Weights;
 use crate::space::Planar;
-use crate::system::{Role, State, System, Workspace};
+use crate::system::{State, System, Workspace};
 
 /// Parts of the time left at which the rows are looked at, the nearest first.
 const AHEAD: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
@@ -23,9 +23,7 @@ pub(super) fn contradiction(
         let h = part * (end - good.t);
         let mut ahead = good.clone();
         ahead.t += h;
-        for (q, v) in ahead.q.iter_mut().zip(&good.v) {
-            *q += h * v;
-        }
+        system.advance(&mut ahead.q, h, &good.v);
         conflicts(system, &ahead)
             .ok()?
             .into_iter()
@@ -34,11 +32,9 @@ pub(super) fn contradiction(
                 let among = |e: &crate::system::ElementData<Planar>| all.contains(&e.name);
                 // In the order of the model.
                 let names = system.elements.iter().filter(|e| among(e));
-                let names: Vec<String> = names.map(|e| e.name.clone()).collect();
+                let names: Vec<&str> = names.map(|e| e.name.as_str()).collect();
                 // One driver alone is at a dead centre, where its rows depend on the joints' in this pose only.
-                let drivers = system.elements.iter();
-                let drivers = drivers.filter(|e| among(e) && e.role == Role::Driver);
-                let driven = drivers.count() > 1;
+                let driven = system.drivers().filter(|e| among(e)).count() > 1;
                 let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
                 (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
                     time: good.t,

@@ -59,7 +59,7 @@ pub(super) fn dense(
     match general(system, ws) {
         Err(FormulationError::Massless { coordinates }) => {
             let names = system.coordinate_names();
-            let names: Vec<String> = coordinates.iter().map(|&k| names[k].clone()).collect();
+            let names: Vec<&str> = coordinates.iter().map(|&k| names[k].as_str()).collect();
             Err(AnalysisError::Massless {
                 names: listed(&names),
             })
@@ -71,9 +71,9 @@ pub(super) fn dense(
 
 /// A warning about bodies that were lent inertia during a run.
 pub(super) fn note(system: &System<Planar>, metric: &Metric) -> Option<String> {
-    let names: Vec<String> = metric
+    let names: Vec<&str> = metric
         .borrowers()
-        .map(|b| system.bodies[b].name.clone())
+        .map(|b| system.bodies[b].name.as_str())
         .collect();
     let them = match names.len() {
         0 => return None,

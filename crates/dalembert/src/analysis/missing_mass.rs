@@ -6,12 +6,12 @@ use crate::words::listed;
 
 /// What a user must know of bodies without mass before trusting forces; `None` where all have some.
 pub fn missing_mass(system: &System<Planar>) -> Option<String> {
-    let without: Vec<String> = system
+    let without: Vec<&str> = system
         .bodies
         .iter()
         .enumerate()
         .filter(|(b, _)| system.mass_block(*b)[0] == 0.0)
-        .map(|(_, body)| body.name.clone())
+        .map(|(_, body)| body.name.as_str())
         .collect();
     if without.is_empty() {
         return None;

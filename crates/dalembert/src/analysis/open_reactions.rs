@@ -65,7 +65,7 @@ impl OpenReactions {
 pub(super) fn sentence(names: &[&str]) -> String {
     format!(
         "the reactions of {} are not unique; the least set is given (least sum of squares, forces times the size of the machine)",
-        listed(&names.iter().map(|&n| n.to_owned()).collect::<Vec<_>>())
+        listed(names)
     )
 }
 

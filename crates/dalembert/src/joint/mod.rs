@@ -37,6 +37,17 @@ pub enum RowUnit {
     Other,
 }
 
+impl RowUnit {
+    /// Its SI symbol; empty for others.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Length => "m",
+            Self::Angle => "rad",
+            Self::Other => "",
+        }
+    }
+}
+
 /// Label and unit of one constraint row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RowLabel {

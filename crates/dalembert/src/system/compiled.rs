@@ -569,9 +569,14 @@ impl<S: Space> System<S> {
         self.elements.iter().find(|e| e.name == name)
     }
 
+    /// The drivers, in order.
+    pub fn drivers(&self) -> impl Iterator<Item = &ElementData<S>> {
+        self.elements.iter().filter(|e| e.role == Role::Driver)
+    }
+
     /// Does a driver prescribe a motion?
     pub fn is_driven(&self) -> bool {
-        self.elements.iter().any(|e| e.role == Role::Driver)
+        self.drivers().next().is_some()
     }
 
     /// Names of the velocity coordinates in the user's words: "crank.x", "A.phi".

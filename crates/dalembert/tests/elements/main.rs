@@ -11,7 +11,7 @@ mod support;
 use dalembert::space::{Planar, PlanarMarker};
 use dalembert::system::{State, System, Workspace};
 use serde_json::{Value, json};
-use support::{Random, assembled, compiled, evaluated};
+use support::{Random, assembled, compiled, evaluated, near};
 
 const SEED: u64 = 20_011_213;
 const STATES: usize = 5;
@@ -97,16 +97,4 @@ fn differentiate(f: impl Fn(f64) -> Vec<f64>) -> (Vec<f64>, Vec<f64>) {
 
 fn moved(q: &[f64], v: &[f64], s: f64) -> Vec<f64> {
     q.iter().zip(v).map(|(q, v)| q + s * v).collect()
-}
-
-#[track_caller]
-fn near(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
-    let most = expected.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
-    for (k, (x, y)) in found.iter().zip(expected).enumerate() {
-        assert!(
-            (x - y).abs() <= tolerance * most,
-            "{what}, entry {k}: {x} for {y}, off by {:e}",
-            x - y
-        );
-    }
 }

@@ -49,6 +49,19 @@ pub fn pin(name: &str, bodies: [&str; 2], at: [[f64; 2]; 2]) -> Value {
     json!({"name": name, "kind": "revolute", "bodies": bodies, "at": at})
 }
 
+/// Equal numbers, relative to the largest expected one and to one.
+#[track_caller]
+pub fn near(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
+    let most = expected.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
+    for (k, (x, y)) in found.iter().zip(expected).enumerate() {
+        assert!(
+            (x - y).abs() <= tolerance * most,
+            "{what}, entry {k}: {x} for {y}, off by {:e}",
+            x - y
+        );
+    }
+}
+
 /// SplitMix64 (Steele, Lea and Flood 2014).
 pub struct Random(pub u64);
 

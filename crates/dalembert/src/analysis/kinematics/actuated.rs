@@ -6,7 +6,7 @@ use super::watch::{Watch, scaled_jacobian};
 use crate::analysis::AnalysisError;
 use crate::analysis::weights::Weights;
 use crate::space::Planar;
-use crate::system::{Role, State, System, Workspace};
+use crate::system::{State, System, Workspace};
 use crate::words::listed;
 
 /// The forces of a known motion in a machine with actuators instead of drivers.
@@ -64,9 +64,8 @@ impl<'a> Actuated<'a> {
     }
 
     fn names(&self) -> String {
-        let drivers = self.system.elements.iter();
-        let drivers = drivers.filter(|e| e.role == Role::Driver);
-        listed(&drivers.map(|e| e.name.clone()).collect::<Vec<_>>())
+        let names: Vec<&str> = self.system.drivers().map(|e| e.name.as_str()).collect();
+        listed(&names)
     }
 
     pub(super) fn solve(&mut self, state: &State, a: &[f64]) -> Result<(), AnalysisError> {
@@ -81,7 +80,7 @@ impl<'a> Actuated<'a> {
         ws.a.copy_from_slice(a);
         let missing = solve_multipliers(system, ws, &self.weights);
         // The rows of the actuators do not hold a value: no violation to report.
-        for e in system.elements.iter().filter(|e| e.role == Role::Driver) {
+        for e in system.drivers() {
             ws.value[e.rows.clone()].fill(0.0);
             let rate: f64 = e
                 .coordinates

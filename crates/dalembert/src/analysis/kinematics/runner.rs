@@ -6,7 +6,7 @@ use crate::analysis::AnalysisError;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
 use crate::space::Planar;
-use crate::system::{Role, State, System, Workspace};
+use crate::system::{State, System, Workspace};
 use crate::words::listed;
 use nalgebra::DMatrix;
 
@@ -100,8 +100,8 @@ impl<'a> Runner<'a> {
         })
     }
 
-    /// From one instant to the next, `passed` is told every pose on the way: predictor, Newton, velocities, accelerations; the interval is
-    /// halved where Newton does not converge.
+    /// From one instant to the next, `passed` is told every pose on the way: predictor, Newton, velocities,
+    /// accelerations; the interval is halved where Newton does not converge.
     pub(super) fn advance(
         &mut self,
         state: &mut State,
@@ -251,13 +251,7 @@ impl<'a> Runner<'a> {
     }
 
     pub(super) fn singular(&self, time: f64, last: f64) -> AnalysisError {
-        let drivers: Vec<String> = self
-            .system
-            .elements
-            .iter()
-            .filter(|e| e.role == Role::Driver)
-            .map(|e| e.name.clone())
-            .collect();
+        let drivers: Vec<&str> = self.system.drivers().map(|e| e.name.as_str()).collect();
         let (word, verb) = if drivers.len() == 1 {
             ("driver", "does")
         } else {

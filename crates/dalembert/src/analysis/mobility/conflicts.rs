@@ -4,7 +4,6 @@ use super::super::AnalysisError;
 use super::nearby::nearby_poses;
 use super::ranked::{Ranked, evaluated};
 use crate::formulation::column_scale;
-use crate::joint::RowUnit;
 use crate::space::Planar;
 use crate::system::{Role, State, System, Workspace};
 use nalgebra::{DMatrix, DVector};
@@ -265,11 +264,7 @@ impl Conflict {
             through: names(through),
             worst: system.row_name(row),
             residual: ws.value[row].abs(),
-            unit: match system.row_refs()[row].label.unit {
-                RowUnit::Length => "m",
-                RowUnit::Angle => "rad",
-                RowUnit::Other => "",
-            },
+            unit: system.row_refs()[row].label.unit.symbol(),
         })
     }
 }

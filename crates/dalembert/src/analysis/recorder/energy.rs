@@ -1,7 +1,7 @@
 //! Energy, momentum and power of a machine.
 
 use crate::space::{Space, Tuple};
-use crate::system::{Role, System, Workspace};
+use crate::system::{System, Workspace};
 
 /// Kinetic energy and potential energy of gravity (zero at the ground's origin).
 pub(in crate::analysis) fn energies<S: Space>(
@@ -62,10 +62,8 @@ pub(in crate::analysis) fn outside_power<S: Space>(
     t: f64,
 ) -> f64 {
     let mut power = system.force_power(t, ws);
-    for e in &system.elements {
-        if e.role == Role::Driver {
-            power += driver_power(ws, e.rows.clone());
-        }
+    for e in system.drivers() {
+        power += driver_power(ws, e.rows.clone());
     }
     power
 }
