@@ -29,7 +29,7 @@ fuzz_target!(|text: &str| {
     let Some(model) = parsed.model.or(parsed.draft) else {
         return;
     };
-    let compiled = match compile(&model, &[]) {
+    let compiled = match compile::<dalembert::space::Planar>(&model, &[]) {
         Ok(compiled) => compiled,
         Err(mistakes) => {
             assert!(!mistakes.0.is_empty());

@@ -12,7 +12,7 @@ use super::{AnalysisError, Assembly, AssemblyReport, Motion};
 use crate::integrate::{Dopri5, Ode, StepError};
 use crate::model::Stabilization;
 use crate::results::Results;
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::compile::Options;
 use crate::system::{State, System};
 
@@ -67,9 +67,9 @@ impl Dynamics {
     ///
     /// # Errors
     /// The machine cannot be assembled, or its accelerations cannot be computed at the start.
-    pub fn run(
+    pub fn run<S: Space>(
         &self,
-        system: &System<Planar>,
+        system: &System<S>,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<DynamicsReport, AnalysisError> {
         let (mut state, assembly) = Assembly {
@@ -204,12 +204,12 @@ impl Dynamics {
 
 impl Dynamics {
     /// Why a run ends before its last instant for want of steps.
-    fn out_of_steps(
+    fn out_of_steps<S: Space>(
         &self,
         pace: &Pace,
         integrator: &Dopri5,
         steps: usize,
-        motion: &mut Motion<'_>,
+        motion: &mut Motion<'_, S>,
     ) -> AnalysisError {
         let limits = Limits {
             max_step: self.max_step,

@@ -4,6 +4,7 @@ use super::{MeasureKind, Measured};
 use crate::space::orientation::Axis;
 use crate::space::{Spatial, SpatialMarker, join};
 use nalgebra::{Vector3, Vector6};
+use std::f64::consts::TAU;
 
 /// Which scalar is measured from the first marker (a) to the second (b).
 ///
@@ -18,8 +19,8 @@ pub enum SpatialMeasure {
     Dot(Axis, Axis),
     /// |d| [m]; its gradient needs |d| > 0.
     Distance,
-    /// Angle about an axis k of the first marker, from e_i to the projection of f_i, with (k, i, j) right-handed, in
-    /// (-pi, pi] [rad]; it needs f_i not to stand along e_k.
+    /// Angle about an axis k of the first marker, from e_i to the projection of f_i, with (k, i, j) right-handed, on the
+    /// turn nearest to what the second marker remembers [rad]; it needs f_i not to stand along e_k.
     Angle(Axis),
 }
 
@@ -59,6 +60,11 @@ fn turning(turn: Vector3<f64>, value: f64, rate: f64, bias: f64) -> Measured<Vec
         first: join(&zero, &turn),
         second: join(&zero, &-turn),
     }
+}
+
+/// The angle, changed by whole turns, that is nearest to another.
+fn nearest_turn(angle: f64, to: f64) -> f64 {
+    angle + TAU * ((to - angle) / TAU).round()
 }
 
 impl SpatialMeasure {
@@ -129,7 +135,7 @@ impl SpatialMeasure {
                     - 2.0 * rate * (x.value * x.rate + y.value * y.rate) / s;
                 turning(
                     (x.value * y.turn - y.value * x.turn) / s,
-                    y.value.atan2(x.value),
+                    nearest_turn(y.value.atan2(x.value), b.turn),
                     rate,
                     bias,
                 )

@@ -57,3 +57,14 @@ pub struct Body {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub shape: Vec<Shape>,
 }
+
+impl CoordinateName {
+    /// The name as users write it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Angle => "angle",
+        }
+    }
+}

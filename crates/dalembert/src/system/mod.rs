@@ -12,6 +12,7 @@ mod plan;
 mod positions;
 mod row_scales;
 mod state;
+mod turns;
 mod workspace;
 
 pub mod compile;
@@ -21,4 +22,5 @@ pub use compiled::{RowRef, System};
 pub use element::{Coordinate, ElementData, ForceData, MarkerData, Phase, Role, TraceData};
 pub use metric::Metric;
 pub use state::State;
+pub use turns::TurnData;
 pub use workspace::Workspace;

@@ -28,6 +28,7 @@ impl<S: Space> System<S> {
         for (x, d) in rest.iter_mut().zip(&step[nv..]) {
             *x += factor * d;
         }
+        self.count_turns(q);
     }
 
     /// Rates of the positions with velocities v.
@@ -45,12 +46,16 @@ impl<S: Space> System<S> {
         {
             S::rate(q, v, out);
         }
-        rest.copy_from_slice(&v[nv..]);
+        let (aux, turns) = rest.split_at_mut(self.aux);
+        aux.copy_from_slice(&v[nv..]);
+        // What is remembered changes between steps, not in them.
+        turns.fill(0.0);
     }
 
-    /// Brings redundant coordinates of the bodies back to their own condition.
+    /// Brings redundant coordinates of the bodies back to their own condition, and remembered angles up to date.
     pub fn normalize(&self, q: &mut [f64]) {
         let nq = self.bodies.len() * S::NQ;
         q[..nq].chunks_exact_mut(S::NQ).for_each(S::normalize);
+        self.count_turns(q);
     }
 }

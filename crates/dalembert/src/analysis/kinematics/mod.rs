@@ -14,7 +14,7 @@ use super::open_reactions::{OpenReactions, at_time};
 use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::System;
 use crate::system::compile::Options;
 use actuated::Actuated;
@@ -54,23 +54,23 @@ impl Kinematics {
     /// # Errors
     /// The machine cannot be assembled, or is not driven in every freedom. A singular pose on the
     /// way ends the run with what was computed before it (`stopped`).
-    pub fn run(&self, system: &System<Planar>) -> Result<KinematicsRun, AnalysisError> {
+    pub fn run<S: Space>(&self, system: &System<S>) -> Result<KinematicsRun, AnalysisError> {
         self.run_with(system, None)
     }
 
     /// The same motion, with the forces of a machine whose drivers are replaced by actuators.
-    pub(super) fn run_actuated(
+    pub(super) fn run_actuated<S: Space>(
         &self,
-        system: &System<Planar>,
-        actuated: &System<Planar>,
+        system: &System<S>,
+        actuated: &System<S>,
     ) -> Result<KinematicsRun, AnalysisError> {
         self.run_with(system, Some(actuated))
     }
 
-    fn run_with(
+    fn run_with<S: Space>(
         &self,
-        system: &System<Planar>,
-        actuated: Option<&System<Planar>>,
+        system: &System<S>,
+        actuated: Option<&System<S>>,
     ) -> Result<KinematicsRun, AnalysisError> {
         let (mut state, assembly) = Assembly {
             newton: self.newton,

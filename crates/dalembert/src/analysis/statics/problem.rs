@@ -29,7 +29,7 @@ pub(super) struct Problem<'a> {
     pub newton: NewtonOptions,
     weights: Weights,
     least: LeastReactions,
-    meeting: Meeting,
+    meeting: Meeting<Planar>,
     state: State,
     trial: Vec<f64>,
 }

@@ -3,9 +3,10 @@
 use super::built::Built;
 use super::constraints::measure_rows;
 use super::context::{Context, GlobalMeasure};
+use super::geometry::Geometry;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
-use crate::joint::{Measure, MeasureRow, MeasureRows, PlanarMeasure, TimeFunction};
+use crate::joint::{Measure, MeasureKind, MeasureRow, MeasureRows, TimeFunction};
 use crate::model::{DriverKind, Motion, Quantity};
 use crate::system::{Coordinate, Phase, Role};
 use dalembert_expr::Dim;
@@ -23,7 +24,7 @@ fn kind_name(q: &Quantity) -> &'static str {
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Compiles the drivers.
     pub fn drivers(&mut self) {
         let model = self.model;
@@ -35,12 +36,13 @@ impl Context<'_> {
         }
     }
 
-    fn driver(&mut self, kind: &DriverKind, place: &Place) -> Option<Built> {
+    fn driver(&mut self, kind: &DriverKind, place: &Place) -> Option<Built<S>> {
         match kind {
             DriverKind::Scalar { quantity, motion } => {
                 let m = self.quantity(quantity, &place.owner, &place.path);
-                let target = self.motion(motion, m, Context::quantity_dim(quantity), place);
+                let target = self.motion(motion, m, Self::quantity_dim(quantity), place);
                 let (m, target) = (m?, target?);
+                self.start_near(m, target.jet(self.options.start).v);
                 let mut built = measure_rows(kind_name(quantity), &[(1.0, m)], target, "value");
                 built.coordinates = smallvec![Coordinate {
                     name: if m.kind.is_angle() {
@@ -73,17 +75,14 @@ impl Context<'_> {
                 let from_at = self.optional_point(from_at.as_ref(), place, "from_at");
                 let from_at = self.or_origin(from_at);
                 let mut rows = SmallVec::new();
-                for (value, kind, key) in [
-                    (x, PlanarMeasure::GroundX, "x"),
-                    (y, PlanarMeasure::GroundY, "y"),
-                ] {
+                for (axis, (value, key)) in [(x, "x"), (y, "y")].into_iter().enumerate() {
                     let Some(value) = value else { continue };
                     let f = self
                         .time_function(value, Dim::LENGTH, &place.owner, &place.key(key))
                         .unwrap_or(TimeFunction::Constant(0.0));
                     rows.push(MeasureRow::follow(
                         Measure {
-                            kind,
+                            kind: S::along_ground(axis),
                             first: 0,
                             second: 1,
                         },
@@ -102,8 +101,8 @@ impl Context<'_> {
                     );
                     return None;
                 }
-                let a = self.marker(&first, from_at, 0.0);
-                let b = self.marker(&second, at, 0.0);
+                let a = self.marker(&first, &S::frame(&from_at));
+                let b = self.marker(&second, &S::frame(&at));
                 Some(Built {
                     kind: "path driver",
                     element: Arc::new(MeasureRows { markers: 2, rows }),
@@ -120,7 +119,7 @@ impl Context<'_> {
     fn motion(
         &mut self,
         motion: &Motion,
-        m: Option<GlobalMeasure>,
+        m: Option<GlobalMeasure<S>>,
         dim: Dim,
         place: &Place,
     ) -> Option<TimeFunction> {
@@ -179,13 +178,14 @@ impl Context<'_> {
                 continue;
             }
             let m = self.quantity(&initial.quantity, &place.owner, &place.path);
-            let dim = Context::quantity_dim(&initial.quantity);
+            let dim = Self::quantity_dim(&initial.quantity);
             let name = self.quantity_name(&initial.quantity);
             let value = self.optional(initial.value.as_ref(), dim, &place, "value");
             let rate = self.optional(initial.rate.as_ref(), dim / Dim::TIME, &place, "rate");
             let Some(m) = m else { continue };
             if let Some(x) = value {
                 let name = format!("initial {name}");
+                self.start_near(m, x);
                 self.start_element(name, place.key("value"), m, x, Phase::StartPosition);
             }
             if let Some(x) = rate {

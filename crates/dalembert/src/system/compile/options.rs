@@ -1,11 +1,12 @@
 //! Options of the analyses, resolved.
 
 use super::context::Context;
+use super::geometry::Geometry;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Stabilization, Value};
 use crate::words::readable;
 use dalembert_expr::Dim;
-use nalgebra::Vector2;
+use nalgebra::Vector3;
 
 /// Options of the analyses, as numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +79,7 @@ impl Options {
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Resolves the options and gravity.
     pub fn options(&mut self) {
         let model = self.model;
@@ -184,7 +185,7 @@ impl Context<'_> {
         if let Some(g) = &model.info.gravity {
             self.gravity = self
                 .vector(g, Dim::ACCELERATION, "model", "model.gravity")
-                .unwrap_or_else(Vector2::zeros);
+                .unwrap_or_else(Vector3::zeros);
         }
     }
 }

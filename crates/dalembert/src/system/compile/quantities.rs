@@ -1,24 +1,24 @@
 //! Scalar quantities that users name.
 
 use super::context::{Context, GlobalMeasure, JointPlace};
+use super::geometry::Geometry;
 use crate::diagnostic::Diagnostic;
-use crate::joint::PlanarMeasure;
+use crate::joint::MeasureKind;
 use crate::model::{CoordinateName, Point, Quantity};
+use crate::space::Space;
 use dalembert_expr::Dim;
-use nalgebra::Vector2;
+use nalgebra::Vector3;
 
-impl PlanarMeasure {
-    /// Dimension of the value.
-    pub(super) fn dim(self) -> Dim {
-        if self.is_angle() {
-            Dim::NONE
-        } else {
-            Dim::LENGTH
-        }
+/// Dimension of the value of a measure.
+pub(super) fn dim_of<S: Space>(kind: S::Measure) -> Dim {
+    if kind.is_length() {
+        Dim::LENGTH
+    } else {
+        Dim::NONE
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Dimension of a quantity, which its kind alone says.
     pub fn quantity_dim(quantity: &Quantity) -> Dim {
         match quantity {
@@ -40,7 +40,7 @@ impl Context<'_> {
         quantity: &Quantity,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
+    ) -> Option<GlobalMeasure<S>> {
         match quantity {
             Quantity::Coordinate {
                 body,
@@ -50,15 +50,12 @@ impl Context<'_> {
                 let place = self.place(body, owner, &format!("{path}.body"));
                 let at = match at {
                     Some(at) => self.vector(at, Dim::LENGTH, owner, &format!("{path}.at")),
-                    None => Some(Vector2::zeros()),
+                    None => Some(Vector3::zeros()),
                 };
                 let at = self.or_origin(at);
-                let kind = match coordinate {
-                    CoordinateName::X => PlanarMeasure::GroundX,
-                    CoordinateName::Y => PlanarMeasure::GroundY,
-                    CoordinateName::Angle => PlanarMeasure::Angle,
-                };
-                let second = self.marker(&place, at, 0.0);
+                // A name of the other space has been reported.
+                let kind = S::coordinate(*coordinate)?;
+                let second = self.marker(&place, &S::frame(&at));
                 Some(GlobalMeasure {
                     kind,
                     first: 0,
@@ -72,10 +69,10 @@ impl Context<'_> {
             Quantity::RelativeAngle { bodies } => {
                 let [first, second] = [0, 1].map(|k| {
                     let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"));
-                    self.marker(&place, Vector2::zeros(), 0.0)
+                    self.marker(&place, &S::frame(&Vector3::zeros()))
                 });
                 Some(GlobalMeasure {
-                    kind: PlanarMeasure::Angle,
+                    kind: S::coordinate(CoordinateName::Angle)?,
                     first,
                     second,
                 })
@@ -83,7 +80,7 @@ impl Context<'_> {
             Quantity::Distance { bodies, at } => {
                 let [first, second] = self.two_points(bodies, at, owner, path);
                 let m = GlobalMeasure {
-                    kind: PlanarMeasure::Distance,
+                    kind: S::Measure::DISTANCE,
                     first,
                     second,
                 };
@@ -104,17 +101,17 @@ impl Context<'_> {
             let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"));
             let point = self.vector(&at[k], Dim::LENGTH, owner, &format!("{path}.at[{k}]"));
             let point = self.or_origin(point);
-            self.marker(&place, point, 0.0)
+            self.marker(&place, &S::frame(&point))
         })
     }
 
     /// Refuses a distance that is zero in the estimate: its direction would be undefined.
     pub fn nonzero_distance(
         &mut self,
-        m: GlobalMeasure,
+        m: GlobalMeasure<S>,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
+    ) -> Option<GlobalMeasure<S>> {
         if self.stand_ins || self.estimate(m) > 0.0 {
             return Some(m);
         }
@@ -136,7 +133,7 @@ impl Context<'_> {
         name: &str,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
+    ) -> Option<GlobalMeasure<S>> {
         let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
         if let Some(c) = place.coordinates.iter().find(|c| c.name == name) {
             return Some(GlobalMeasure {
@@ -168,7 +165,7 @@ impl Context<'_> {
         joint: &str,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
+    ) -> Option<GlobalMeasure<S>> {
         let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
         if let [c] = place.coordinates.as_slice() {
             return Some(GlobalMeasure {
@@ -188,7 +185,7 @@ impl Context<'_> {
         None
     }
 
-    fn joint_place(&mut self, joint: &str, owner: &str, path: &str) -> Option<JointPlace> {
+    fn joint_place(&mut self, joint: &str, owner: &str, path: &str) -> Option<JointPlace<S>> {
         if let Some(j) = self.joint_places.get(joint) {
             return Some(j.clone());
         }

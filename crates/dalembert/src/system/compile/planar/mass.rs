@@ -1,9 +1,11 @@
 //! Mass properties of bodies from their shapes.
 
-use super::context::{Context, rotate};
-use super::place::Place;
+use super::super::context::Context;
+use super::super::place::Place;
+use super::rotate;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Body, Shape, ShapeKind};
+use crate::space::Planar;
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 
@@ -43,9 +45,9 @@ impl MassProperties {
     }
 }
 
-impl Context<'_> {
+impl Context<'_, Planar> {
     /// Mass properties of a body; missing ones are zero (massless).
-    pub fn mass_properties(&mut self, body: &Body, place: &Place) -> MassProperties {
+    pub(super) fn mass_properties(&mut self, body: &Body, place: &Place) -> MassProperties {
         let mut parts = Vec::new();
         for (k, shape) in body.shape.iter().enumerate() {
             let own = Place {
@@ -60,9 +62,9 @@ impl Context<'_> {
         let inertia = self.optional(body.inertia.as_ref(), Dim::INERTIA, place, "inertia");
         let center = match &body.center {
             Some(c) => self.vector(c, Dim::LENGTH, &place.owner, &place.key("center")),
-            None => Some(Vector2::zeros()),
+            None => None,
         }
-        .unwrap_or_else(Vector2::zeros);
+        .map_or_else(Vector2::zeros, |c| c.xy());
         for (value, key) in [(mass, "mass"), (inertia, "inertia")] {
             if let Some(x) = value
                 && x < 0.0
@@ -139,7 +141,7 @@ impl Context<'_> {
     }
 
     fn shape_part(&mut self, shape: &Shape, place: &Place) -> Option<MassProperties> {
-        let at = self.optional_point(shape.at.as_ref(), place, "at")?;
+        let at = self.optional_point(shape.at.as_ref(), place, "at")?.xy();
         let angle = self
             .optional(shape.angle.as_ref(), Dim::NONE, place, "angle")
             .unwrap_or(0.0);
@@ -253,6 +255,7 @@ impl Context<'_> {
                     .enumerate()
                     .map(|(k, p)| {
                         self.vector(p, Dim::LENGTH, &place.owner, &format!("{path}[{k}]"))
+                            .map(|p| p.xy())
                     })
                     .collect();
                 let corners: Option<Vec<_>> = corners.into_iter().collect();
