@@ -4,7 +4,7 @@ use super::context::{BodyPlace, Context, GlobalMeasure, rotate};
 use super::names::Property;
 use super::place::Place;
 use crate::joint::{MeasureRow, MeasureRows, PlanarMeasure};
-use crate::model::CoordinateName;
+use crate::model::{AxialVector, HeldCoordinate, Value};
 use crate::signal::SignalKind;
 use crate::space::PlanarFrame;
 use crate::system::{BodyData, ElementData, Phase, Role, TraceData};
@@ -12,6 +12,14 @@ use dalembert_expr::Dim;
 use nalgebra::Vector2;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
+
+/// The number of the plane; three components have been refused before.
+pub(super) fn planar(vector: &AxialVector) -> Option<&Value> {
+    match vector {
+        AxialVector::Planar(value) => Some(value),
+        AxialVector::Spatial(_) => None,
+    }
+}
 
 /// How much less a coordinate counts in the assembly where its user gave no estimate.
 const UNSAID: f64 = 1e-4;
@@ -35,7 +43,7 @@ impl Context<'_> {
             .unwrap_or_else(Vector2::zeros);
             let omega = self
                 .optional(
-                    body.angular_velocity.as_ref(),
+                    body.angular_velocity.as_ref().and_then(planar),
                     Dim::FREQUENCY,
                     &place,
                     "angular_velocity",
@@ -98,11 +106,13 @@ impl Context<'_> {
         }
     }
 
-    fn hold(&mut self, body: &str, name: CoordinateName, marker: usize, place: &Place) {
+    fn hold(&mut self, body: &str, name: HeldCoordinate, marker: usize, place: &Place) {
         let (kind, label) = match name {
-            CoordinateName::X => (PlanarMeasure::GroundX, "x"),
-            CoordinateName::Y => (PlanarMeasure::GroundY, "y"),
-            CoordinateName::Angle => (PlanarMeasure::Angle, "angle"),
+            HeldCoordinate::X => (PlanarMeasure::GroundX, "x"),
+            HeldCoordinate::Y => (PlanarMeasure::GroundY, "y"),
+            HeldCoordinate::Angle => (PlanarMeasure::Angle, "angle"),
+            // Refused before.
+            HeldCoordinate::Z | HeldCoordinate::Orientation => return,
         };
         let measure = GlobalMeasure {
             kind,

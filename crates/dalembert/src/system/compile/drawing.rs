@@ -209,6 +209,20 @@ impl Context<'_> {
                 DrawnForm::Polygon(corners?)
             }
             ShapeKind::Lump { .. } => DrawnForm::Lump,
+            // A planar model has no others.
+            ShapeKind::Box { .. }
+            | ShapeKind::Cylinder { .. }
+            | ShapeKind::Tube { .. }
+            | ShapeKind::Sphere { .. }
+            | ShapeKind::Shell { .. }
+            | ShapeKind::Hemisphere { .. }
+            | ShapeKind::Cone { .. }
+            | ShapeKind::Rod { .. }
+            | ShapeKind::Disk { .. }
+            | ShapeKind::Plate { .. }
+            | ShapeKind::Ellipsoid { .. }
+            | ShapeKind::Mesh { .. }
+            | ShapeKind::Torus { .. } => return None,
         };
         let at = self.optional_point(shape.at.as_ref(), place, "shape")?;
         let angle = self

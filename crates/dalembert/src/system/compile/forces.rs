@@ -1,5 +1,6 @@
 //! Force elements.
 
+use super::bodies::planar;
 use super::context::{Context, GlobalMeasure};
 use super::joints::Direction;
 use super::names::Property;
@@ -131,12 +132,18 @@ impl Context<'_> {
                 };
                 Some(("force", Arc::new(element), markers))
             }
-            ForceKind::Moment { body, value } => {
+            ForceKind::Moment { body, value, .. } => {
                 let own = self.place(body, &place.owner, &place.key("body"));
                 let mut markers: SmallVec<[usize; 4]> =
                     smallvec![self.marker(&own, Vector2::zeros(), 0.0)];
-                let moment =
-                    self.coefficient(Some(value), 0.0, Dim::MOMENT, place, "value", &mut markers);
+                let moment = self.coefficient(
+                    planar(value),
+                    0.0,
+                    Dim::MOMENT,
+                    place,
+                    "value",
+                    &mut markers,
+                );
                 let element = PointForce {
                     force: [Coefficient::Constant(0.0), Coefficient::Constant(0.0)],
                     moment,
@@ -145,12 +152,16 @@ impl Context<'_> {
                 };
                 Some(("moment", Arc::new(element), markers))
             }
-            ForceKind::Actuator { joint, value } => {
+            ForceKind::Actuator {
+                joint,
+                value,
+                coordinate,
+            } => {
                 let law = Law {
                     actuator: Some(("value", value)),
                     ..Law::default()
                 };
-                let m = self.actuated(joint, law, place)?;
+                let m = self.actuated(joint, coordinate.as_deref(), law, place)?;
                 Some(self.measure_force("actuator", m, law, 0.0, true, place))
             }
             ForceKind::SpringDamper {
@@ -177,9 +188,11 @@ impl Context<'_> {
                 damping,
                 free_angle,
                 moment,
+                ..
             } => {
                 let q = crate::model::Quantity::RelativeAngle {
                     bodies: bodies.clone(),
+                    axis: None,
                 };
                 let m = self.quantity(&q, &place.owner, &place.path)?;
                 let law = Law {
@@ -197,6 +210,7 @@ impl Context<'_> {
                 stiffness,
                 damping,
                 free,
+                coordinate,
             } => {
                 let law = Law {
                     stiffness: stiffness.as_ref(),
@@ -204,7 +218,7 @@ impl Context<'_> {
                     free: free.as_ref().map(|v| ("free", v)),
                     actuator: None,
                 };
-                let m = self.actuated(joint, law, place)?;
+                let m = self.actuated(joint, coordinate.as_deref(), law, place)?;
                 self.warn_powerless(law, place);
                 Some(self.measure_force("joint-spring", m, law, 0.0, false, place))
             }
@@ -267,8 +281,17 @@ impl Context<'_> {
 
     /// The coordinate of the joint that a law acts on. Without one the law is looked at all the
     /// same, with whatever dimensions it has.
-    fn actuated(&mut self, joint: &str, law: Law<'_>, place: &Place) -> Option<GlobalMeasure> {
-        let m = self.only_coordinate(joint, &place.owner, &place.path);
+    fn actuated(
+        &mut self,
+        joint: &str,
+        coordinate: Option<&str>,
+        law: Law<'_>,
+        place: &Place,
+    ) -> Option<GlobalMeasure> {
+        let m = match coordinate {
+            Some(name) => self.joint_coordinate(joint, name, &place.owner, &place.path),
+            None => self.only_coordinate(joint, &place.owner, &place.path),
+        };
         if m.is_none() {
             let plain = |value: Option<_>, key| value.map(|value| (key, value));
             for (key, value) in [

@@ -3,7 +3,7 @@
 use super::context::{Context, rotate};
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Body, Shape, ShapeKind};
+use crate::model::{Body, Inertia, Shape, ShapeKind, Value};
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 
@@ -20,6 +20,14 @@ struct Geometry {
     area: f64,
     centroid: Vector2<f64>,
     gyration2: f64,
+}
+
+/// The moment of inertia in the plane; tensors have been refused before.
+fn planar(inertia: &Inertia) -> Option<&Value> {
+    match inertia {
+        Inertia::Moment(value) => Some(value),
+        Inertia::Moments(_) | Inertia::Tensor(_) => None,
+    }
 }
 
 impl MassProperties {
@@ -57,7 +65,8 @@ impl Context<'_> {
             }
         }
         let mass = self.optional(body.mass.as_ref(), Dim::MASS, place, "mass");
-        let inertia = self.optional(body.inertia.as_ref(), Dim::INERTIA, place, "inertia");
+        let moment = body.inertia.as_ref().and_then(planar);
+        let inertia = self.optional(moment, Dim::INERTIA, place, "inertia");
         let center = match &body.center {
             Some(c) => self.vector(c, Dim::LENGTH, &place.owner, &place.key("center")),
             None => Some(Vector2::zeros()),
@@ -189,7 +198,12 @@ impl Context<'_> {
         };
         let lump_inertia = match &shape.kind {
             ShapeKind::Lump { inertia } => self
-                .optional(inertia.as_ref(), Dim::INERTIA, place, "inertia")
+                .optional(
+                    inertia.as_ref().and_then(planar),
+                    Dim::INERTIA,
+                    place,
+                    "inertia",
+                )
                 .unwrap_or(0.0),
             _ => 0.0,
         };
@@ -259,6 +273,20 @@ impl Context<'_> {
                 return self.polygon(&corners?, place);
             }
             ShapeKind::Lump { .. } => centred(0.0, 0.0),
+            // Refused before.
+            ShapeKind::Box { .. }
+            | ShapeKind::Cylinder { .. }
+            | ShapeKind::Tube { .. }
+            | ShapeKind::Sphere { .. }
+            | ShapeKind::Shell { .. }
+            | ShapeKind::Hemisphere { .. }
+            | ShapeKind::Cone { .. }
+            | ShapeKind::Rod { .. }
+            | ShapeKind::Disk { .. }
+            | ShapeKind::Plate { .. }
+            | ShapeKind::Ellipsoid { .. }
+            | ShapeKind::Mesh { .. }
+            | ShapeKind::Torus { .. } => return None,
         })
     }
 

@@ -15,6 +15,7 @@ mod outlines;
 mod place;
 mod quantities;
 mod tables;
+mod wrong_space;
 
 pub use drawing::{Drawing, DrawnBody, DrawnElement, DrawnEnd, DrawnForm, DrawnShape};
 pub use options::Options;
@@ -47,6 +48,8 @@ pub struct Compiled {
 /// All mistakes of the model at once, each with its place and a remedy.
 pub fn compile(model: &Model, overrides: &[(String, Value)]) -> Result<Compiled, Diagnostics> {
     let mut context = Context::new(model, overrides);
+    context.diagnostics = wrong_space::check(model);
+    context.stand_ins = !context.diagnostics.is_empty();
     if model.info.space == SpaceKind::Spatial {
         context.report(
             Diagnostic::error(

@@ -95,6 +95,20 @@ impl Context<'_> {
             | JointKind::Weld { .. }
             | JointKind::Distance { .. }
             | JointKind::PinSlot { .. } => None,
+            // A planar model has no others.
+            JointKind::Spherical { .. }
+            | JointKind::Cylindrical { .. }
+            | JointKind::Universal { .. }
+            | JointKind::ConstantVelocity { .. }
+            | JointKind::Screw { .. }
+            | JointKind::Planar { .. }
+            | JointKind::PointOnLine { .. }
+            | JointKind::PointOnPlane { .. }
+            | JointKind::PointOnCurve { .. }
+            | JointKind::ParallelAxes { .. }
+            | JointKind::PerpendicularAxes { .. }
+            | JointKind::GearPair { .. }
+            | JointKind::RackPair { .. } => None,
         }
     }
 

@@ -28,8 +28,12 @@ impl Context<'_> {
             }
             | Quantity::Angle { .. }
             | Quantity::RelativeAngle { .. } => Dim::NONE,
+            Quantity::JointCoordinate { coordinate, .. } if coordinate.starts_with("angle") => {
+                Dim::NONE
+            }
             Quantity::Coordinate { .. }
             | Quantity::Displacement { .. }
+            | Quantity::JointCoordinate { .. }
             | Quantity::Distance { .. } => Dim::LENGTH,
         }
     }
@@ -57,6 +61,8 @@ impl Context<'_> {
                     CoordinateName::X => PlanarMeasure::GroundX,
                     CoordinateName::Y => PlanarMeasure::GroundY,
                     CoordinateName::Angle => PlanarMeasure::Angle,
+                    // Refused before.
+                    CoordinateName::Z => return None,
                 };
                 let second = self.marker(&place, at, 0.0);
                 Some(GlobalMeasure {
@@ -69,7 +75,10 @@ impl Context<'_> {
             Quantity::Displacement { joint } => {
                 self.joint_coordinate(joint, "displacement", owner, path)
             }
-            Quantity::RelativeAngle { bodies } => {
+            Quantity::JointCoordinate { joint, coordinate } => {
+                self.joint_coordinate(joint, coordinate, owner, path)
+            }
+            Quantity::RelativeAngle { bodies, .. } => {
                 let [first, second] = [0, 1].map(|k| {
                     let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"));
                     self.marker(&place, Vector2::zeros(), 0.0)

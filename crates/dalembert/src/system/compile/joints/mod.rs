@@ -224,6 +224,20 @@ impl Context<'_> {
                 let m = self.placement(placement, place, need)?;
                 self.cam(m, profile, follower, phi.as_ref(), place)
             }
+            // Refused before.
+            JointKind::Spherical { .. }
+            | JointKind::Cylindrical { .. }
+            | JointKind::Universal { .. }
+            | JointKind::ConstantVelocity { .. }
+            | JointKind::Screw { .. }
+            | JointKind::Planar { .. }
+            | JointKind::PointOnLine { .. }
+            | JointKind::PointOnPlane { .. }
+            | JointKind::PointOnCurve { .. }
+            | JointKind::ParallelAxes { .. }
+            | JointKind::PerpendicularAxes { .. }
+            | JointKind::GearPair { .. }
+            | JointKind::RackPair { .. } => None,
         }
     }
 
