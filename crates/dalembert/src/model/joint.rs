@@ -261,6 +261,35 @@ pub enum JointKind {
     },
 }
 
+impl JointKind {
+    /// Where the joint sits; gears, gear pairs and rack pairs have no place of their own.
+    pub fn placement(&self) -> Option<&Placement> {
+        match self {
+            Self::Revolute { placement }
+            | Self::Prismatic { placement }
+            | Self::Weld { placement }
+            | Self::Distance { placement, .. }
+            | Self::PinSlot { placement }
+            | Self::Rack { placement, .. }
+            | Self::Cam { placement, .. }
+            | Self::RollingOnLine { placement, .. }
+            | Self::RollingOnCircle { placement, .. }
+            | Self::Spherical { placement }
+            | Self::Cylindrical { placement }
+            | Self::Universal { placement, .. }
+            | Self::ConstantVelocity { placement }
+            | Self::Screw { placement, .. }
+            | Self::Planar { placement }
+            | Self::PointOnLine { placement }
+            | Self::PointOnPlane { placement }
+            | Self::PointOnCurve { placement, .. }
+            | Self::ParallelAxes { placement }
+            | Self::PerpendicularAxes { placement, .. } => Some(placement),
+            Self::Gear { .. } | Self::GearPair { .. } | Self::RackPair { .. } => None,
+        }
+    }
+}
+
 /// A joint between two bodies.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Joint {
