@@ -64,7 +64,13 @@ fn turning(turn: Vector3<f64>, value: f64, rate: f64, bias: f64) -> Measured<Vec
 
 /// The angle, changed by whole turns, that is nearest to another.
 fn nearest_turn(angle: f64, to: f64) -> f64 {
-    angle + TAU * ((to - angle) / TAU).round()
+    let turns = (to - angle) / TAU;
+    // Halfway, both are as near.
+    if turns.abs() <= 0.5 {
+        angle
+    } else {
+        angle + TAU * turns.round()
+    }
 }
 
 impl SpatialMeasure {

@@ -4,7 +4,7 @@ use super::context::{BodyPlace, Context, GlobalMeasure};
 use super::geometry::Geometry;
 use super::place::Place;
 use crate::joint::{Measure, MeasureRow, MeasureRows, TimeFunction};
-use crate::model::CoordinateName;
+use crate::model::HeldCoordinate;
 use crate::system::{BodyData, ElementData, Phase, Role, TraceData};
 use nalgebra::Vector3;
 use smallvec::{SmallVec, smallvec};
@@ -59,25 +59,29 @@ impl<S: Geometry> Context<'_, S> {
         }
     }
 
-    fn hold(&mut self, body: &str, name: CoordinateName, marker: usize, place: &Place) {
-        // A name of the other space has been reported.
-        let Some(kind) = S::coordinate(name) else {
-            return;
+    fn hold(&mut self, body: &str, name: HeldCoordinate, marker: usize, place: &Place) {
+        let first = if name == HeldCoordinate::Orientation {
+            // Seen from the estimate itself, the directions of small turns are plain.
+            let frame = self.places[body].frame;
+            self.marker(&BodyPlace::ground(), &frame)
+        } else {
+            0
         };
-        let label = name.label();
-        let measure = GlobalMeasure {
-            kind,
-            first: 0,
-            second: marker,
-        };
-        let value = self.estimate(measure);
-        self.start_element(
-            format!("held {body}.{label}"),
-            place.key("hold"),
-            measure,
-            value,
-            Phase::StartPosition,
-        );
+        for kind in S::held(name) {
+            let measure = GlobalMeasure {
+                kind,
+                first,
+                second: marker,
+            };
+            let value = self.estimate(measure);
+            self.start_element(
+                format!("held {body}.{}", name.label()),
+                place.key("hold"),
+                measure,
+                value,
+                Phase::StartPosition,
+            );
+        }
     }
 
     /// A row that holds at the start only: measure = value (its rate = value for velocities).

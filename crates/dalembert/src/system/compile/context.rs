@@ -3,7 +3,7 @@
 use super::geometry::Geometry;
 use super::names::{ConstantScope, Property, StateScope};
 use super::place::Place;
-use super::{Compiled, Options};
+use super::{Compiled, Options, wrong_space};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::joint::{Measure, MeasureKind, TimeFunction};
 use crate::model::{GROUND, Model, Point, Value};
@@ -519,6 +519,8 @@ impl<'m, S: Geometry> Context<'m, S> {
 
     /// Goes through the whole model.
     pub fn compile(mut self) -> Result<Compiled<S>, Diagnostics> {
+        self.diagnostics = wrong_space::check(self.model);
+        self.stand_ins = !self.diagnostics.is_empty();
         self.parameters();
         self.tables();
         self.options();

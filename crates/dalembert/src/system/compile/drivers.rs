@@ -19,6 +19,7 @@ fn kind_name(q: &Quantity) -> &'static str {
         Quantity::Coordinate { .. } => "coordinate driver",
         Quantity::Angle { .. } => "angle driver",
         Quantity::Displacement { .. } => "displacement driver",
+        Quantity::JointCoordinate { .. } => "joint-coordinate driver",
         Quantity::RelativeAngle { .. } => "relative-angle driver",
         Quantity::Distance { .. } => "distance driver",
     }
@@ -204,7 +205,8 @@ impl<S: Geometry> Context<'_, S> {
             }
             Quantity::Angle { joint } => format!("{joint}.angle"),
             Quantity::Displacement { joint } => format!("{joint}.displacement"),
-            Quantity::RelativeAngle { bodies } => {
+            Quantity::JointCoordinate { joint, coordinate } => format!("{joint}.{coordinate}"),
+            Quantity::RelativeAngle { bodies, .. } => {
                 format!("angle of {} from {}", bodies[1], bodies[0])
             }
             Quantity::Distance { bodies, .. } => {

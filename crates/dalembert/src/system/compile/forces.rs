@@ -125,25 +125,29 @@ impl<S: Geometry> Context<'_, S> {
                 };
                 Some(("force", Arc::new(element), markers))
             }
-            ForceKind::Moment { body, value } => {
+            ForceKind::Moment { body, value, axes } => {
                 let own = self.place(body, &place.owner, &place.key("body"));
                 let marker = self.marker(&own, &S::frame(&Vector3::zeros()));
                 let mut markers: SmallVec<[usize; 4]> = smallvec![marker];
-                let moment =
-                    self.coefficient(Some(value), 0.0, Dim::MOMENT, place, "value", &mut markers);
+                let value = S::axial(value);
+                let components = self.components(value, Dim::MOMENT, place, &mut markers);
                 let element = PointForce {
-                    components: vec![moment],
-                    body_axes: false,
+                    components,
+                    body_axes: *axes == Some(Axes::Body),
                     moment: true,
                 };
                 Some(("moment", Arc::new(element), markers))
             }
-            ForceKind::Actuator { joint, value } => {
+            ForceKind::Actuator {
+                joint,
+                value,
+                coordinate,
+            } => {
                 let law = Law {
                     actuator: Some(("value", value)),
                     ..Law::default()
                 };
-                let m = self.actuated(joint, law, place)?;
+                let m = self.actuated(joint, coordinate.as_deref(), law, place)?;
                 Some(self.measure_force("actuator", m, law, 0.0, true, place))
             }
             ForceKind::SpringDamper {
@@ -166,15 +170,13 @@ impl<S: Geometry> Context<'_, S> {
             }
             ForceKind::TorsionSpring {
                 bodies,
+                axis,
                 stiffness,
                 damping,
                 free_angle,
                 moment,
             } => {
-                let q = crate::model::Quantity::RelativeAngle {
-                    bodies: bodies.clone(),
-                };
-                let m = self.quantity(&q, &place.owner, &place.path)?;
+                let m = S::relative_angle(self, bodies, axis.as_ref(), place)?;
                 let law = Law {
                     stiffness: stiffness.as_ref(),
                     damping: damping.as_ref(),
@@ -190,6 +192,7 @@ impl<S: Geometry> Context<'_, S> {
                 stiffness,
                 damping,
                 free,
+                coordinate,
             } => {
                 let law = Law {
                     stiffness: stiffness.as_ref(),
@@ -197,7 +200,7 @@ impl<S: Geometry> Context<'_, S> {
                     free: free.as_ref().map(|v| ("free", v)),
                     actuator: None,
                 };
-                let m = self.actuated(joint, law, place)?;
+                let m = self.actuated(joint, coordinate.as_deref(), law, place)?;
                 self.warn_powerless(law, place);
                 Some(self.measure_force("joint-spring", m, law, 0.0, false, place))
             }
@@ -267,10 +270,15 @@ impl<S: Geometry> Context<'_, S> {
         place: &Place,
         markers: &mut SmallVec<[usize; 4]>,
     ) -> Vec<Coefficient<S>> {
+        let count = value.len();
         let components = value.iter().enumerate();
         components
             .map(|(k, value)| {
-                let key = format!("value[{k}]");
+                let key = if count == 1 {
+                    "value".to_owned()
+                } else {
+                    format!("value[{k}]")
+                };
                 self.coefficient(Some(value), 0.0, dim, place, &key, markers)
             })
             .collect()
@@ -278,8 +286,17 @@ impl<S: Geometry> Context<'_, S> {
 
     /// The coordinate of the joint that a law acts on. Without one the law is looked at all the
     /// same, with whatever dimensions it has.
-    fn actuated(&mut self, joint: &str, law: Law<'_>, place: &Place) -> Option<GlobalMeasure<S>> {
-        let m = self.only_coordinate(joint, &place.owner, &place.path);
+    fn actuated(
+        &mut self,
+        joint: &str,
+        coordinate: Option<&str>,
+        law: Law<'_>,
+        place: &Place,
+    ) -> Option<GlobalMeasure<S>> {
+        let m = match coordinate {
+            Some(name) => self.joint_coordinate(joint, name, &place.owner, &place.path),
+            None => self.only_coordinate(joint, &place.owner, &place.path),
+        };
         if m.is_none() {
             let plain = |value: Option<_>, key| value.map(|value| (key, value));
             for (key, value) in [

@@ -1,11 +1,14 @@
 //! What a dimension must say about itself for models to become systems of it.
 
 use super::built::Built;
-use super::context::Context;
+use super::context::{Context, GlobalMeasure};
 use super::drawing::DrawnShape;
 use super::names::Property;
 use super::place::Place;
-use crate::model::{Body, CoordinateName, JointKind, Placement, Shape, Trace};
+use crate::model::{
+    AxialVector, Body, CoordinateName, HeldCoordinate, JointKind, Placement, Point, Shape, Trace,
+    Value,
+};
 use crate::space::Space;
 use crate::space::orientation::Rotation;
 use nalgebra::Vector3;
@@ -58,8 +61,21 @@ pub(super) trait Geometry: Space {
     fn direction(frame: &Self::Frame) -> Vector3<f64>;
     /// Position along an axis of the ground.
     fn along_ground(axis: usize) -> Self::Measure;
-    /// The measure, from the ground's frame to a frame on a body, that a coordinate of a body is.
+    /// The measure, from the ground's frame to a frame on a body, that a coordinate of a body is; none where the space
+    /// has no such coordinate.
     fn coordinate(name: CoordinateName) -> Option<Self::Measure>;
+    /// The measures, from a frame on the ground to that of a body, that are held with a coordinate; none where the space
+    /// has no such coordinate.
+    fn held(name: HeldCoordinate) -> Vec<Self::Measure>;
+    /// The angle of a second body seen from a first, about an axis that is given in space.
+    fn relative_angle(
+        context: &mut Context<'_, Self>,
+        bodies: &[String; 2],
+        axis: Option<&Point>,
+        place: &Place,
+    ) -> Option<GlobalMeasure<Self>>;
+    /// The components of a moment.
+    fn axial(vector: &AxialVector) -> &[Value];
     /// Reads a body.
     fn body(context: &mut Context<'_, Self>, body: &Body, place: &Place) -> BodyParts<Self>;
     /// What expressions may ask of a body or a trace by its marker.

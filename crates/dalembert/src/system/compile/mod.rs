@@ -16,6 +16,7 @@ mod place;
 mod planar;
 mod quantities;
 mod tables;
+mod wrong_space;
 
 pub use drawing::{Drawing, DrawnBody, DrawnElement, DrawnEnd, DrawnForm, DrawnShape};
 pub use options::Options;

@@ -2,6 +2,7 @@
 
 use super::context::{Context, GlobalMeasure, JointPlace};
 use super::geometry::Geometry;
+use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::joint::MeasureKind;
 use crate::model::{CoordinateName, Point, Quantity};
@@ -28,8 +29,12 @@ impl<S: Geometry> Context<'_, S> {
             }
             | Quantity::Angle { .. }
             | Quantity::RelativeAngle { .. } => Dim::NONE,
+            Quantity::JointCoordinate { coordinate, .. } if coordinate.starts_with("angle") => {
+                Dim::NONE
+            }
             Quantity::Coordinate { .. }
             | Quantity::Displacement { .. }
+            | Quantity::JointCoordinate { .. }
             | Quantity::Distance { .. } => Dim::LENGTH,
         }
     }
@@ -66,16 +71,15 @@ impl<S: Geometry> Context<'_, S> {
             Quantity::Displacement { joint } => {
                 self.joint_coordinate(joint, "displacement", owner, path)
             }
-            Quantity::RelativeAngle { bodies } => {
-                let [first, second] = [0, 1].map(|k| {
-                    let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"));
-                    self.marker(&place, &S::frame(&Vector3::zeros()))
-                });
-                Some(GlobalMeasure {
-                    kind: S::coordinate(CoordinateName::Angle)?,
-                    first,
-                    second,
-                })
+            Quantity::JointCoordinate { joint, coordinate } => {
+                self.joint_coordinate(joint, coordinate, owner, path)
+            }
+            Quantity::RelativeAngle { bodies, axis } => {
+                let place = Place {
+                    owner: owner.to_owned(),
+                    path: path.to_owned(),
+                };
+                S::relative_angle(self, bodies, axis.as_ref(), &place)
             }
             Quantity::Distance { bodies, at } => {
                 let [first, second] = self.two_points(bodies, at, owner, path);

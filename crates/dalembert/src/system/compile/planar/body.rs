@@ -4,11 +4,19 @@ use super::super::context::Context;
 use super::super::geometry::BodyParts;
 use super::super::place::Place;
 use super::rotate;
-use crate::model::Body;
+use crate::model::{AxialVector, Body, Value};
 use crate::space::{Planar, PlanarFrame};
 use dalembert_expr::Dim;
 use nalgebra::{Vector2, Vector3};
 use smallvec::smallvec;
+
+/// The number of the plane; three components have been refused before.
+fn planar(vector: &AxialVector) -> Option<&Value> {
+    match vector {
+        AxialVector::Planar(value) => Some(value),
+        AxialVector::Spatial(_) => None,
+    }
+}
 
 impl Context<'_, Planar> {
     pub(super) fn planar_body(&mut self, body: &Body, place: &Place) -> BodyParts<Planar> {
@@ -26,7 +34,7 @@ impl Context<'_, Planar> {
         .xy();
         let omega = self
             .optional(
-                body.angular_velocity.as_ref(),
+                body.angular_velocity.as_ref().and_then(planar),
                 Dim::FREQUENCY,
                 place,
                 "angular_velocity",

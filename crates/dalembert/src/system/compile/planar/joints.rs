@@ -150,6 +150,20 @@ impl Context<'_, Planar> {
                 let m = self.planar_placement(placement, place, need)?;
                 self.cam(m, profile, follower, phi.as_ref(), place)
             }
+            // Refused before.
+            JointKind::Spherical { .. }
+            | JointKind::Cylindrical { .. }
+            | JointKind::Universal { .. }
+            | JointKind::ConstantVelocity { .. }
+            | JointKind::Screw { .. }
+            | JointKind::Planar { .. }
+            | JointKind::PointOnLine { .. }
+            | JointKind::PointOnPlane { .. }
+            | JointKind::PointOnCurve { .. }
+            | JointKind::ParallelAxes { .. }
+            | JointKind::PerpendicularAxes { .. }
+            | JointKind::GearPair { .. }
+            | JointKind::RackPair { .. } => None,
         }
     }
 

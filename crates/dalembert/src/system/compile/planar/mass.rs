@@ -4,7 +4,7 @@ use super::super::context::Context;
 use super::super::place::Place;
 use super::rotate;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Body, Shape, ShapeKind};
+use crate::model::{Body, Inertia, Shape, ShapeKind, Value};
 use crate::space::Planar;
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
@@ -22,6 +22,14 @@ struct Geometry {
     area: f64,
     centroid: Vector2<f64>,
     gyration2: f64,
+}
+
+/// The moment of inertia in the plane; tensors have been refused before.
+fn planar(inertia: &Inertia) -> Option<&Value> {
+    match inertia {
+        Inertia::Moment(value) => Some(value),
+        Inertia::Moments(_) | Inertia::Tensor(_) => None,
+    }
 }
 
 impl MassProperties {
@@ -59,7 +67,8 @@ impl Context<'_, Planar> {
             }
         }
         let mass = self.optional(body.mass.as_ref(), Dim::MASS, place, "mass");
-        let inertia = self.optional(body.inertia.as_ref(), Dim::INERTIA, place, "inertia");
+        let moment = body.inertia.as_ref().and_then(planar);
+        let inertia = self.optional(moment, Dim::INERTIA, place, "inertia");
         let center = match &body.center {
             Some(c) => self.vector(c, Dim::LENGTH, &place.owner, &place.key("center")),
             None => None,
@@ -191,7 +200,12 @@ impl Context<'_, Planar> {
         };
         let lump_inertia = match &shape.kind {
             ShapeKind::Lump { inertia } => self
-                .optional(inertia.as_ref(), Dim::INERTIA, place, "inertia")
+                .optional(
+                    inertia.as_ref().and_then(planar),
+                    Dim::INERTIA,
+                    place,
+                    "inertia",
+                )
                 .unwrap_or(0.0),
             _ => 0.0,
         };
@@ -262,6 +276,20 @@ impl Context<'_, Planar> {
                 return self.polygon(&corners?, place);
             }
             ShapeKind::Lump { .. } => centred(0.0, 0.0),
+            // Refused before.
+            ShapeKind::Box { .. }
+            | ShapeKind::Cylinder { .. }
+            | ShapeKind::Tube { .. }
+            | ShapeKind::Sphere { .. }
+            | ShapeKind::Shell { .. }
+            | ShapeKind::Hemisphere { .. }
+            | ShapeKind::Cone { .. }
+            | ShapeKind::Rod { .. }
+            | ShapeKind::Disk { .. }
+            | ShapeKind::Plate { .. }
+            | ShapeKind::Ellipsoid { .. }
+            | ShapeKind::Mesh { .. }
+            | ShapeKind::Torus { .. } => return None,
         })
     }
 

@@ -17,7 +17,10 @@ use super::geometry::{BodyParts, Direction, Geometry};
 use super::names::Property;
 use super::place::Place;
 use crate::joint::PlanarMeasure;
-use crate::model::{Body, CoordinateName, JointKind, Placement, Shape, Trace};
+use crate::model::{
+    AxialVector, Body, CoordinateName, HeldCoordinate, JointKind, Placement, Point, Shape, Trace,
+    Value,
+};
 use crate::signal::SignalKind;
 use crate::space::orientation::Rotation;
 use crate::space::{Planar, PlanarFrame};
@@ -81,7 +84,43 @@ impl Geometry for Planar {
             CoordinateName::X => PlanarMeasure::GroundX,
             CoordinateName::Y => PlanarMeasure::GroundY,
             CoordinateName::Angle => PlanarMeasure::Angle,
+            CoordinateName::Z => return None,
         })
+    }
+
+    fn held(name: HeldCoordinate) -> Vec<PlanarMeasure> {
+        match name {
+            HeldCoordinate::X => vec![PlanarMeasure::GroundX],
+            HeldCoordinate::Y => vec![PlanarMeasure::GroundY],
+            HeldCoordinate::Angle => vec![PlanarMeasure::Angle],
+            HeldCoordinate::Z | HeldCoordinate::Orientation => Vec::new(),
+        }
+    }
+
+    fn relative_angle(
+        context: &mut Context<'_, Self>,
+        bodies: &[String; 2],
+        _: Option<&Point>,
+        place: &Place,
+    ) -> Option<GlobalMeasure<Self>> {
+        let [first, second] = [0, 1].map(|k| {
+            let path = place.key(&format!("bodies[{k}]"));
+            let body = context.place(&bodies[k], &place.owner, &path);
+            context.marker(&body, &PlanarFrame::default())
+        });
+        Some(GlobalMeasure {
+            kind: PlanarMeasure::Angle,
+            first,
+            second,
+        })
+    }
+
+    fn axial(vector: &AxialVector) -> &[Value] {
+        match vector {
+            AxialVector::Planar(value) => std::slice::from_ref(value),
+            // Refused before.
+            AxialVector::Spatial(_) => &[],
+        }
     }
 
     fn body(context: &mut Context<'_, Self>, body: &Body, place: &Place) -> BodyParts<Self> {

@@ -66,6 +66,20 @@ impl Context<'_, Planar> {
             | JointKind::Weld { .. }
             | JointKind::Distance { .. }
             | JointKind::PinSlot { .. } => None,
+            // Refused before.
+            JointKind::Spherical { .. }
+            | JointKind::Cylindrical { .. }
+            | JointKind::Universal { .. }
+            | JointKind::ConstantVelocity { .. }
+            | JointKind::Screw { .. }
+            | JointKind::Planar { .. }
+            | JointKind::PointOnLine { .. }
+            | JointKind::PointOnPlane { .. }
+            | JointKind::PointOnCurve { .. }
+            | JointKind::ParallelAxes { .. }
+            | JointKind::PerpendicularAxes { .. }
+            | JointKind::GearPair { .. }
+            | JointKind::RackPair { .. } => None,
         }
     }
 

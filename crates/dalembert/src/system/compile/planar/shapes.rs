@@ -26,6 +26,20 @@ impl Context<'_, Planar> {
                 DrawnForm::Polygon(corners?)
             }
             ShapeKind::Lump { .. } => DrawnForm::Lump,
+            // Refused before.
+            ShapeKind::Box { .. }
+            | ShapeKind::Cylinder { .. }
+            | ShapeKind::Tube { .. }
+            | ShapeKind::Sphere { .. }
+            | ShapeKind::Shell { .. }
+            | ShapeKind::Hemisphere { .. }
+            | ShapeKind::Cone { .. }
+            | ShapeKind::Rod { .. }
+            | ShapeKind::Disk { .. }
+            | ShapeKind::Plate { .. }
+            | ShapeKind::Ellipsoid { .. }
+            | ShapeKind::Mesh { .. }
+            | ShapeKind::Torus { .. } => return None,
         };
         let at = self.optional_point(shape.at.as_ref(), place, "shape")?;
         let angle = self
