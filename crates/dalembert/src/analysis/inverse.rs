@@ -74,10 +74,7 @@ fn actuated<S: Space>(system: &System<S>, joints: &[String]) -> Result<System<S>
             role: Role::Driver,
             kind: "actuator".to_owned(),
             path: joint.path.clone(),
-            element: Arc::new(MeasureRows {
-                markers: joint.markers.len(),
-                rows: smallvec![row],
-            }),
+            element: Arc::new(MeasureRows::new(joint.markers.len(), smallvec![row])),
             coordinates: smallvec![coordinate.clone()],
             auxiliary_start: SmallVec::new(),
             ..joint.clone()

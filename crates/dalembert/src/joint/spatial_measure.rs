@@ -19,6 +19,8 @@ pub enum SpatialMeasure {
     Dot(Axis, Axis),
     /// |d| [m]; its gradient needs |d| > 0.
     Distance,
+    /// Turn of b about an axis of a, of which only the rate says something: e_k.(w_b - w_a). Its value is zero.
+    Turn(Axis),
     /// Angle about an axis k of the first marker, from e_i to the projection of f_i, with (k, i, j) right-handed, on the
     /// turn nearest to what the second marker remembers [rad]; it needs f_i not to stand along e_k.
     Angle(Axis),
@@ -76,7 +78,7 @@ fn nearest_turn(angle: f64, to: f64) -> f64 {
 impl SpatialMeasure {
     /// Is the value an angle?
     pub fn is_angle(self) -> bool {
-        matches!(self, Self::Angle(_))
+        matches!(self, Self::Angle(_) | Self::Turn(_))
     }
 
     /// Is the value a length?
@@ -126,6 +128,12 @@ impl SpatialMeasure {
             Self::Dot(e, f) => {
                 let p = Product::new(a, e, b, f);
                 turning(p.turn, p.value, p.rate, p.bias)
+            }
+            Self::Turn(axis) => {
+                let e = column(a, axis);
+                let relative = b.omega - a.omega;
+                // e' = w_a x e; the angular accelerations vanish.
+                turning(-e, 0.0, e.dot(&relative), a.omega.cross(&e).dot(&relative))
             }
             Self::Angle(axis) => {
                 let (i, j) = axis.next_two();

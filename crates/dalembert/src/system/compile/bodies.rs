@@ -40,7 +40,6 @@ impl<S: Geometry> Context<'_, S> {
                 .extend(parts.position_known.into_iter().map(weigh));
             self.velocity_weight
                 .extend(parts.velocity_known.into_iter().map(weigh));
-            let massless = (0..S::NV).any(|k| parts.mass[k * S::NV + k] == 0.0);
             self.mass.extend(parts.mass);
             let frame_marker = self.marker(&own, &frame);
             let center_marker = self.marker(&own, &S::frame(&parts.center));
@@ -50,7 +49,7 @@ impl<S: Geometry> Context<'_, S> {
                 frame: S::from_center(&frame, &parts.center),
                 frame_marker,
                 center_marker,
-                massless,
+                massless: parts.massless,
             });
             self.point_properties(&body.name, frame_marker);
             for name in &body.hold {
@@ -109,10 +108,10 @@ impl<S: Geometry> Context<'_, S> {
             kind: "start".to_owned(),
             path,
             phase,
-            element: Arc::new(MeasureRows {
-                markers: 2,
-                rows: smallvec![MeasureRow::follow(local, target, "value")],
-            }),
+            element: Arc::new(MeasureRows::new(
+                2,
+                smallvec![MeasureRow::follow(local, target, "value")],
+            )),
             markers: smallvec![measure.first, measure.second],
             reaction_marker: 1,
             axes_marker: 0,

@@ -27,7 +27,7 @@ impl<S: Space> Built<S> {
     ) -> Self {
         Self {
             kind,
-            element: Arc::new(MeasureRows { markers: 2, rows }),
+            element: Arc::new(MeasureRows::new(2, rows)),
             markers: SmallVec::from_slice(&markers),
             coordinates,
             auxiliary_start: SmallVec::new(),

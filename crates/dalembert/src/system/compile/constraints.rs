@@ -183,10 +183,7 @@ pub(super) fn measure_rows<S: Geometry>(
     let count = markers.len();
     Built {
         kind,
-        element: Arc::new(MeasureRows {
-            markers: count,
-            rows: smallvec![row],
-        }),
+        element: Arc::new(MeasureRows::new(count, smallvec![row])),
         markers,
         coordinates: SmallVec::new(),
         auxiliary_start: SmallVec::new(),

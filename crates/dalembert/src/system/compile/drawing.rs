@@ -4,6 +4,7 @@ use super::context::Context;
 use super::geometry::Geometry;
 use super::outlines::Outlines;
 use super::place::Place;
+use crate::mass::Solid;
 use crate::model::GROUND;
 use crate::system::{Role, System};
 use nalgebra::{Quaternion, Vector3};
@@ -23,6 +24,23 @@ pub enum DrawnForm {
     Polygon(Vec<[f64; 2]>),
     /// A dot.
     Lump,
+    /// A solid of space.
+    Solid(Solid),
+    /// Length along x, radius.
+    Rod(f64, f64),
+    /// Radius, thickness along z.
+    Disk(f64, f64),
+    /// Width along x, height along y, thickness along z.
+    Plate(f64, f64, f64),
+    /// Radius of the middle circle about z, radius of the tube.
+    Torus(f64, f64),
+    /// Triangles.
+    Mesh {
+        /// Corners.
+        vertices: Vec<[f64; 3]>,
+        /// Numbers of the corners of each triangle.
+        triangles: Vec<[usize; 3]>,
+    },
 }
 
 /// A shape in the frame of its body.

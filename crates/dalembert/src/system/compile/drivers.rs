@@ -66,6 +66,7 @@ impl<S: Geometry> Context<'_, S> {
                 from_at,
                 x,
                 y,
+                z,
                 ..
             } => {
                 let second = self.place(body, &place.owner, &place.key("body"));
@@ -76,7 +77,7 @@ impl<S: Geometry> Context<'_, S> {
                 let from_at = self.optional_point(from_at.as_ref(), place, "from_at");
                 let from_at = self.or_origin(from_at);
                 let mut rows = SmallVec::new();
-                for (axis, (value, key)) in [(x, "x"), (y, "y")].into_iter().enumerate() {
+                for (axis, (value, key)) in [(x, "x"), (y, "y"), (z, "z")].into_iter().enumerate() {
                     let Some(value) = value else { continue };
                     let f = self
                         .time_function(value, Dim::LENGTH, &place.owner, &place.key(key))
@@ -96,9 +97,17 @@ impl<S: Geometry> Context<'_, S> {
                         Diagnostic::error(
                             "no-motion",
                             &place.path,
-                            format!("{}: neither x nor y is given", place.owner),
+                            if S::LINEAR == 2 {
+                                format!("{}: neither x nor y is given", place.owner)
+                            } else {
+                                format!("{}: none of x, y and z is given", place.owner)
+                            },
                         )
-                        .help("give x = \"...\", y = \"...\", or both"),
+                        .help(if S::LINEAR == 2 {
+                            "give x = \"...\", y = \"...\", or both"
+                        } else {
+                            "give x = \"...\", y = \"...\", z = \"...\", or some of them"
+                        }),
                     );
                     return None;
                 }
@@ -106,7 +115,7 @@ impl<S: Geometry> Context<'_, S> {
                 let b = self.marker(&second, &S::frame(&at));
                 Some(Built {
                     kind: "path driver",
-                    element: Arc::new(MeasureRows { markers: 2, rows }),
+                    element: Arc::new(MeasureRows::new(2, rows)),
                     markers: smallvec![a, b],
                     coordinates: SmallVec::new(),
                     auxiliary_start: SmallVec::new(),

@@ -22,6 +22,8 @@ pub(super) struct BodyParts<S: Space> {
     pub center: Vector3<f64>,
     /// Mass block, NV x NV row-major.
     pub mass: Vec<f64>,
+    /// Is it singular?
+    pub massless: bool,
     /// Estimates of the position and velocity coordinates.
     pub q: SmallVec<[f64; 7]>,
     pub v: SmallVec<[f64; 6]>,

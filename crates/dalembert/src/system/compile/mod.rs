@@ -15,6 +15,7 @@ mod outlines;
 mod place;
 mod planar;
 mod quantities;
+mod spatial;
 mod tables;
 mod wrong_space;
 
@@ -24,7 +25,7 @@ pub use options::Options;
 use super::System;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::{Model, SpaceKind, Value};
-use crate::space::{Planar, Space};
+use crate::space::{Planar, Space, Spatial};
 use context::Context;
 use indexmap::IndexMap;
 
@@ -59,6 +60,17 @@ impl ModelSpace for Planar {
     const KIND: SpaceKind = SpaceKind::Planar;
 
     fn compile(model: &Model, overrides: &[(String, Value)]) -> Result<Compiled, Diagnostics> {
+        Context::new(model, overrides).compile()
+    }
+}
+
+impl ModelSpace for Spatial {
+    const KIND: SpaceKind = SpaceKind::Spatial;
+
+    fn compile(
+        model: &Model,
+        overrides: &[(String, Value)],
+    ) -> Result<Compiled<Self>, Diagnostics> {
         Context::new(model, overrides).compile()
     }
 }

@@ -138,7 +138,18 @@ impl<S: Geometry> Context<'_, S> {
         owner: &str,
         path: &str,
     ) -> Option<GlobalMeasure<S>> {
-        let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
+        self.coordinate_at(joint, name, owner, &format!("{path}.joint"))
+    }
+
+    /// A free coordinate of a joint by its name; `path` is where the joint is named.
+    pub fn coordinate_at(
+        &mut self,
+        joint: &str,
+        name: &str,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure<S>> {
+        let place = self.joint_place(joint, owner, path)?;
         if let Some(c) = place.coordinates.iter().find(|c| c.name == name) {
             return Some(GlobalMeasure {
                 kind: c.measure.kind,

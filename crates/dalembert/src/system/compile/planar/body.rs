@@ -50,6 +50,7 @@ impl Context<'_, Planar> {
         BodyParts {
             frame: PlanarFrame { at: origin, angle },
             center: mass.center.push(0.0),
+            massless: mass.mass == 0.0 || mass.inertia == 0.0,
             mass: block,
             q: smallvec![center.x, center.y, angle],
             v: smallvec![center_velocity.x, center_velocity.y, omega],

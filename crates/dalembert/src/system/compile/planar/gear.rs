@@ -95,10 +95,7 @@ impl Context<'_, Planar> {
         row.target = TimeFunction::Constant(row.sum(&poses));
         Some(Built {
             kind: "gear",
-            element: Arc::new(MeasureRows {
-                markers: 3,
-                rows: smallvec![row],
-            }),
+            element: Arc::new(MeasureRows::new(3, smallvec![row])),
             markers,
             coordinates: SmallVec::new(),
             auxiliary_start: SmallVec::new(),
