@@ -1,6 +1,6 @@
 //! The plane: three coordinates a body.
 
-use super::Space;
+use super::{Screw, Space};
 use crate::joint::PlanarMeasure;
 use nalgebra::{Vector2, Vector3};
 
@@ -62,6 +62,7 @@ impl Space for Planar {
     const NV: usize = 3;
     const LINEAR: usize = 2;
     const GYROSCOPIC: bool = false;
+    const POSITION_NAMES: &'static [&'static str] = &["x", "y", "angle"];
     const VELOCITY_NAMES: &'static [&'static str] = &["x", "y", "angle"];
     type Twist = Vector3<f64>;
     type Frame = PlanarFrame;
@@ -136,6 +137,23 @@ impl Space for Planar {
 
     fn at_origin(m: &PlanarMarker, h: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(h.x, h.y, h.z + m.point.x * h.y - m.point.y * h.x)
+    }
+
+    fn own_position(m: &PlanarMarker, out: &mut [f64]) {
+        out.copy_from_slice(&[m.point.x, m.point.y, m.angle]);
+    }
+
+    fn own_velocity(m: &PlanarMarker) -> Vector3<f64> {
+        Self::twist(m)
+    }
+
+    fn from_own(_: &PlanarFrame, m: &PlanarMarker, own: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(own.x + own.z * m.arm.y, own.y - own.z * m.arm.x, own.z)
+    }
+
+    /// Every turn in the plane is about its normal.
+    fn screw(_: &PlanarMarker, _: &Vector3<f64>) -> Option<Screw> {
+        None
     }
 
     fn rate(_: &[f64], v: &[f64], out: &mut [f64]) {
