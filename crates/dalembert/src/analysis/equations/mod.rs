@@ -8,6 +8,8 @@ mod notes;
 mod number;
 mod report;
 mod scalars;
+#[cfg(test)]
+mod spatial_test;
 mod text;
 
 pub use labelled::{LabelledMatrix, LabelledVector};

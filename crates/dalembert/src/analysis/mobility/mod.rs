@@ -12,6 +12,8 @@ mod ranked;
 mod report;
 mod run;
 mod singular_pose;
+#[cfg(test)]
+mod spatial_test;
 mod sweep_result;
 mod text;
 

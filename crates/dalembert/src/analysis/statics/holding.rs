@@ -98,7 +98,7 @@ pub fn holding_loads(
 }
 
 /// The loads at the evaluated pose of a problem; of the results only the notes.
-fn loads_at<S: Space>(
+pub(super) fn loads_at<S: Space>(
     problem: &Problem<'_, S>,
     unknowns: &[Unknown],
 ) -> Result<HoldingLoads, AnalysisError> {

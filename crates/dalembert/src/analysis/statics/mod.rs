@@ -11,6 +11,8 @@ mod reduced;
 mod report;
 mod search;
 mod solution;
+#[cfg(test)]
+mod spatial_test;
 mod stability;
 
 pub use holding::{HoldingLoad, HoldingLoads, Unknown, holding_loads};
