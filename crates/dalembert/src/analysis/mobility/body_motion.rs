@@ -40,10 +40,11 @@ impl Moving {
 
     /// Does the body move as one piece with another in every motion, as far as axes tell?
     pub fn as_one_with(&self, other: &Self) -> bool {
-        self.screws.iter().zip(&other.screws).all(|(a, b)| {
+        let alike = |(a, b): (&Screw, &Screw)| {
             a.point.is_some() == b.point.is_some()
                 && a.direction.cross(&b.direction).norm() <= SILENT
-        })
+        };
+        self.screws.len() == other.screws.len() && self.screws.iter().zip(&other.screws).all(alike)
     }
 
     /// Do the words name axes?

@@ -56,15 +56,18 @@ pub(in crate::analysis) fn describe<S: Space>(
         let pivot = pivots.get(k).map(|&p| &candidates[p]);
         let name = pivot.map_or_else(|| format!("motion {}", k + 1), |c| c.name.clone());
         let body = pivot.and_then(|c| c.body);
-        // x, y and angle of one body are told as one thing.
+        // x, y and angle of one body are told as one thing; axes also where others follow in some of them only.
         if body.is_some()
             && let Some(last) = list.last_mut()
             && body == last.body
-            && same_bodies(&last.bodies, &bodies)
+            && (same_bodies(&last.bodies, &bodies) || bodies.iter().any(Moving::has_axes))
         {
             last.coordinates.push(name);
-            for (old, new) in last.bodies.iter_mut().zip(bodies) {
-                old.merge(new);
+            for new in bodies {
+                match last.bodies.iter_mut().find(|old| old.body == new.body) {
+                    Some(old) => old.merge(new),
+                    None => last.bodies.push(new),
+                }
             }
             continue;
         }

@@ -1,12 +1,16 @@
 //! Mobility of spatial machines.
 
-use super::{Mobility, MobilityReport, conflicts};
-use crate::joint::{MeasureRow, MeasureTerm, SpatialMeasure};
+use super::{
+    Mobility, MobilityReport, SingularKind, SweepOptions, conflicts, driver_singularities,
+};
+use crate::joint::{MeasureRow, MeasureTerm, SpatialMeasure, TimeFunction};
 use crate::space::Spatial;
 use crate::space::orientation::{Axis, Rotation, triad};
 use crate::system::test_machine::{Machine, between, parallel, together, zero};
 use crate::system::{Role, System};
+use dalembert_expr::{Quantity, Resolved, UnknownName};
 use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
 
 const PLAIN: Matrix3<f64> = Matrix3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
 
@@ -70,7 +74,7 @@ fn a_double_spherical_pendulum() {
     assert_eq!(
         found,
         [
-            "upper.turn about x, upper.turn about y and upper.turn about z: upper turns every way about (0, 0, 0), lower moves along (0, 1, 0), moves along (1, 0, 0)",
+            "upper.turn about x, upper.turn about y and upper.turn about z: upper turns every way about (0, 0, 0), lower moves along (0, 1, 0) and moves along (1, 0, 0)",
             "lower.turn about x, lower.turn about y and lower.turn about z: lower turns every way about (0, 0, -1)",
         ]
     );
@@ -174,7 +178,7 @@ fn a_screw() {
     assert_eq!(report.freedoms(), 1);
     assert_eq!(
         texts(&report),
-        ["nut.turn about z: nut screws about (0, 0, 1) through (0, 0, 0), 0.1 m a radian"]
+        ["nut.turn about z: nut screws about (0, 0, 1) through (0, 0, 0.02), 0.1 m a radian"]
     );
 }
 
@@ -224,4 +228,80 @@ fn contradictions_are_found() {
         "{:?}",
         found[0]
     );
+}
+
+/// The time, and nothing else.
+struct Clock;
+
+impl dalembert_expr::Scope for Clock {
+    fn variable(&self, _: &[&str]) -> Result<Resolved, UnknownName> {
+        Ok(Resolved::Slot {
+            index: 0,
+            dim: Quantity::Free,
+        })
+    }
+
+    fn function(&self, _: &str) -> Option<Arc<dyn dalembert_expr::Function>> {
+        None
+    }
+}
+
+/// A crank in the plane z = 0 and a rod on a ball whose tip is driven along the line y = 0, z = 0.3, 0.2 m/s outwards: it
+/// comes to its end where crank and rod are in line seen from above. The rod may spin all the while.
+#[test]
+fn a_driven_tip_comes_to_its_dead_centre() {
+    let mut machine = Machine::default();
+    let angle = 0.6_f64;
+    let pin = Vector3::new(angle.cos(), angle.sin(), 0.0);
+    let (length, aside) = (1.5_f64, 0.3_f64);
+    let reach = |sine: f64| (length * length - aside * aside - sine * sine).sqrt();
+    let tip = Vector3::new(pin.x + reach(pin.y), 0.0, aside);
+    let rod_turn = Rotation::rotation_between(&Vector3::x(), &(tip - pin)).unwrap();
+    let crank_turn = Rotation::from_axis_angle(&Vector3::z_axis(), angle);
+    let crank = machine.body("crank", (0.5 * pin).into(), crank_turn, 1.0, inertia());
+    let rod = machine.body("rod", (0.5 * (pin + tip)).into(), rod_turn, 1.0, inertia());
+    let ground = machine.marker(None, [0.0; 3], PLAIN);
+    let guide = machine.marker(None, [0.0, 0.0, aside], PLAIN);
+    let foot = machine.marker(Some(crank), [-0.5, 0.0, 0.0], PLAIN);
+    let head = machine.marker(Some(crank), [0.5, 0.0, 0.0], PLAIN);
+    let start = machine.marker(Some(rod), [-0.5 * length, 0.0, 0.0], PLAIN);
+    let end = machine.marker(Some(rod), [0.5 * length, 0.0, 0.0], PLAIN);
+    machine.revolute("shaft", [ground, foot]);
+    machine.spherical("ball", [head, start]);
+    let mut line = together();
+    line.remove(0);
+    machine.element("line", "line", Role::Joint, [guide, end], line);
+    let text = format!("{:?} + 0.2 * t", tip.x);
+    let program = dalembert_expr::compile(&text, &Clock, Quantity::Free).unwrap();
+    let way = TimeFunction::Expression(Box::new(program));
+    let row = MeasureRow::follow(between(SpatialMeasure::Ground(Axis::X)), way, "x");
+    machine.element("pusher", "driver", Role::Driver, [guide, end], vec![row]);
+    let system = machine.build(9.81);
+    let report = report(&system);
+    assert_eq!((report.freedoms(), report.freedoms_left()), (2, 1));
+    let [left] = &report.motions_left[..] else {
+        panic!("{:?}", report.motions_left)
+    };
+    let [spin] = &left.bodies[..] else {
+        panic!("{left}")
+    };
+    let along = rod_turn * Vector3::x();
+    assert_eq!(spin.body, "rod");
+    let digits = along.map(|x| (x * 1e3).round() / 1e3);
+    let direction = format!("({}, {}, {})", digits.x, digits.y, digits.z);
+    assert!(
+        spin.motion
+            .starts_with(&format!("turns about {direction} through")),
+        "{left}"
+    );
+    let sweep = driver_singularities(&system, &system.estimate, &SweepOptions::until(5.0)).unwrap();
+    let [pose] = &sweep.poses[..] else {
+        panic!("{sweep:?}")
+    };
+    let expected = (1.0 + reach(0.0) - tip.x) / 0.2;
+    assert!((pose.time - expected).abs() < 1e-6, "{expected} {pose:?}");
+    assert_eq!(pose.kind, SingularKind::DeadCentre);
+    assert!(pose.end);
+    assert_eq!(pose.drivers, ["pusher"]);
+    assert_eq!(pose.bodies, ["crank", "rod"]);
 }
