@@ -90,49 +90,61 @@ fn a_spherical_pendulum_hangs_and_stands() {
 }
 
 /// A plate on three springs, each of another stiffness and free length.
-fn plate() -> (System<Spatial>, Vec<[Vector3<f64>; 2]>, [[f64; 2]; 3]) {
-    let mut machine = Machine::default();
-    let turn = Rotation::from_euler_angles(0.2, 0.1, -0.3);
-    let body = machine.body("plate", [0.1, 0.0, -1.0], turn, 3.0, inertia());
-    let anchors = [[1.0, 0.0, 0.0], [-0.6, 0.8, 0.1], [-0.5, -0.9, 0.0]];
-    let points = [[0.5, 0.0, 0.05], [-0.3, 0.45, 0.0], [-0.25, -0.4, -0.02]];
-    let springs = [[200.0, 0.6], [150.0, 0.8], [250.0, 0.7]];
-    for k in 0..3 {
-        let ground = machine.marker(None, anchors[k], PLAIN);
-        let own = machine.marker(Some(body), points[k], PLAIN);
-        let [stiffness, free] = springs[k];
-        let name = format!("spring {}", k + 1);
-        let law = [stiffness, free, 0.0];
-        machine.force(&name, SpatialMeasure::Distance, [ground, own], law);
-    }
-    let pairs = (0..3).map(|k| [Vector3::from(anchors[k]), Vector3::from(points[k])]);
-    (machine.build(G), pairs.collect(), springs)
+struct Plate {
+    /// Anchor on the ground and point of the plate, for each spring.
+    pairs: Vec<[Vector3<f64>; 2]>,
+    /// Stiffness and free length.
+    springs: [[f64; 2]; 3],
 }
 
-/// Potential energy, force and moment about the centre at a pose.
-fn loads(
-    q: &[f64],
-    pairs: &[[Vector3<f64>; 2]],
-    springs: &[[f64; 2]; 3],
-) -> (f64, Vector3<f64>, Vector3<f64>) {
-    let pose = Spatial::pose(q);
-    let mut force = Vector3::new(0.0, 0.0, -3.0 * G);
-    let (mut energy, mut moment) = (3.0 * G * pose.point.z, Vector3::zeros());
-    for ([anchor, point], [k, l0]) in pairs.iter().zip(springs) {
-        let arm = pose.axes * point;
-        let way = anchor - pose.point - arm;
-        let stretch = way.norm() - l0;
-        let pull = k * stretch * way.normalize();
-        energy += 0.5 * k * stretch * stretch;
-        force += pull;
-        moment += arm.cross(&pull);
+impl Plate {
+    fn new() -> Self {
+        let anchors = [[1.0, 0.0, 0.0], [-0.6, 0.8, 0.1], [-0.5, -0.9, 0.0]];
+        let points = [[0.5, 0.0, 0.05], [-0.3, 0.45, 0.0], [-0.25, -0.4, -0.02]];
+        let pairs = anchors.into_iter().zip(points);
+        Self {
+            pairs: pairs.map(|(a, p)| [a.into(), p.into()]).collect(),
+            springs: [[200.0, 0.6], [150.0, 0.8], [250.0, 0.7]],
+        }
     }
-    (energy, force, moment)
+
+    fn system(&self) -> System<Spatial> {
+        let mut machine = Machine::default();
+        let turn = Rotation::from_euler_angles(0.2, 0.1, -0.3);
+        let body = machine.body("plate", [0.1, 0.0, -1.0], turn, 3.0, inertia());
+        for (k, [anchor, point]) in self.pairs.iter().enumerate() {
+            let ground = machine.marker(None, (*anchor).into(), PLAIN);
+            let own = machine.marker(Some(body), (*point).into(), PLAIN);
+            let [stiffness, free] = self.springs[k];
+            let name = format!("spring {}", k + 1);
+            let law = [stiffness, free, 0.0];
+            machine.force(&name, SpatialMeasure::Distance, [ground, own], law);
+        }
+        machine.build(G)
+    }
+
+    /// Potential energy, force and moment about the centre at a pose.
+    fn loads(&self, q: &[f64]) -> (f64, Vector3<f64>, Vector3<f64>) {
+        let pose = Spatial::pose(q);
+        let mut force = Vector3::new(0.0, 0.0, -3.0 * G);
+        let (mut energy, mut moment) = (3.0 * G * pose.point.z, Vector3::zeros());
+        for ([anchor, point], [k, l0]) in self.pairs.iter().zip(self.springs) {
+            let arm = pose.axes * point;
+            let way = anchor - pose.point - arm;
+            let stretch = way.norm() - l0;
+            let pull = k * stretch * way.normalize();
+            energy += 0.5 * k * stretch * stretch;
+            force += pull;
+            moment += arm.cross(&pull);
+        }
+        (energy, force, moment)
+    }
 }
 
 #[test]
 fn a_plate_on_three_springs() {
-    let (system, pairs, springs) = plate();
+    let plate = Plate::new();
+    let system = plate.system();
     for route in [Route::Reduced, Route::Multipliers] {
         let report = run(&system, route).unwrap();
         let stable: Vec<_> = report
@@ -142,7 +154,7 @@ fn a_plate_on_three_springs() {
             .collect();
         assert!(!stable.is_empty());
         for found in &report.equilibria {
-            let (energy, force, moment) = loads(&found.q, &pairs, &springs);
+            let (energy, force, moment) = plate.loads(&found.q);
             assert!(force.amax().max(moment.amax()) < 1e-8, "{force} {moment}");
             assert!((found.potential - energy).abs() < 1e-10 * energy.abs());
             assert!(found.conservative);
@@ -152,7 +164,7 @@ fn a_plate_on_three_springs() {
         let energy = |step: &[f64; 6]| {
             let mut q = found.q.clone();
             Spatial::advance(&mut q, step);
-            loads(&q, &pairs, &springs).0
+            plate.loads(&q).0
         };
         let h = 1e-4;
         let unit = |k: usize| if k < 3 { system.size } else { 1.0 };
@@ -268,4 +280,43 @@ fn a_motor_lifts_a_hinged_body() {
         tips.motions,
         ["unstable: door turns about (0, 1, 0) through (0, 0, 0)"]
     );
+}
+
+/// Two rods on balls hang or stand, each free to spin: four families of equilibria, however many poses of them are met.
+#[test]
+fn a_double_pendulum_has_four_families() {
+    let mut machine = Machine::default();
+    let upper = Rotation::from_euler_angles(0.5, 0.2, 0.1);
+    let lower = Rotation::from_euler_angles(-0.3, 0.6, 0.4);
+    let half = Vector3::new(0.0, 0.0, 0.5);
+    let first = -(upper * half);
+    let second = 2.0 * first - lower * half;
+    let one = machine.body("upper", first.into(), upper, 1.0, inertia());
+    let two = machine.body("lower", second.into(), lower, 1.0, inertia());
+    let ground = machine.marker(None, [0.0; 3], PLAIN);
+    let top = machine.marker(Some(one), half.into(), PLAIN);
+    let end = machine.marker(Some(one), (-half).into(), PLAIN);
+    let start = machine.marker(Some(two), half.into(), PLAIN);
+    machine.spherical("shoulder", [ground, top]);
+    machine.spherical("elbow", [end, start]);
+    let report = run(&machine.build(G), Route::Reduced).unwrap();
+    let mut heights: Vec<[f64; 2]> = Vec::new();
+    for found in &report.equilibria {
+        let flat = found.stiffness.iter().filter(|k| k.abs() < 1e-6).count();
+        assert_eq!(flat, 2, "{:?}", found.stiffness);
+        heights.push([found.q[2], found.q[9]]);
+        let unstable = (found.q[2] > 0.0) || (found.q[9] > 2.0 * found.q[2]);
+        let expected = if unstable {
+            Stability::Unstable
+        } else {
+            Stability::Neutral
+        };
+        assert_eq!(found.stability, expected);
+    }
+    heights.sort_by_key(|h| h.map(|z| (10.0 * z).round() as i32));
+    assert_eq!(heights.len(), 4, "{heights:?}");
+    let all = [[-0.5, -1.5], [-0.5, -0.5], [0.5, 0.5], [0.5, 1.5]];
+    for (found, expected) in heights.iter().flatten().zip(all.iter().flatten()) {
+        assert!((found - expected).abs() < 1e-9, "{heights:?}");
+    }
 }
