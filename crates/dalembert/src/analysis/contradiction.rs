@@ -24,25 +24,23 @@ pub(super) fn contradiction<S: Space>(
         let mut ahead = good.clone();
         ahead.t += h;
         system.advance(&mut ahead.q, h, &good.v);
-        (|_: &System<S>, _: &State| -> Result<Vec<super::mobility::Conflict>, AnalysisError> {
-            Ok(Vec::new())
-        })(system, &ahead) // XXX
-        .ok()?
-        .into_iter()
-        .find_map(|found| {
-            let all = [&found.elements[..], &found.through].concat();
-            let among = |e: &crate::system::ElementData<S>| all.contains(&e.name);
-            // In the order of the model.
-            let names = system.elements.iter().filter(|e| among(e));
-            let names: Vec<&str> = names.map(|e| e.name.as_str()).collect();
-            // One driver alone is at a dead centre, where its rows depend on the joints' in this pose only.
-            let driven = system.drivers().filter(|e| among(e)).count() > 1;
-            let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
-            (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
-                time: good.t,
-                elements: crate::words::listed(&names),
+        conflicts(system, &ahead)
+            .ok()?
+            .into_iter()
+            .find_map(|found| {
+                let all = [&found.elements[..], &found.through].concat();
+                let among = |e: &crate::system::ElementData<S>| all.contains(&e.name);
+                // In the order of the model.
+                let names = system.elements.iter().filter(|e| among(e));
+                let names: Vec<&str> = names.map(|e| e.name.as_str()).collect();
+                // One driver alone is at a dead centre, where its rows depend on the joints' in this pose only.
+                let driven = system.drivers().filter(|e| among(e)).count() > 1;
+                let own = system.with_elements(|e| among(e) || !e.aux.is_empty());
+                (driven && dependent(&own, good)).then(|| AnalysisError::Contradiction {
+                    time: good.t,
+                    elements: crate::words::listed(&names),
+                })
             })
-        })
     })
 }
 

@@ -5,10 +5,12 @@
 
 pub mod orientation;
 mod planar;
+mod screw;
 mod spatial;
 mod tuple;
 
 pub use planar::{Planar, PlanarFrame, PlanarMarker, PlanarPose, perpendicular};
+pub use screw::Screw;
 pub use spatial::{Spatial, SpatialFrame, SpatialMarker, SpatialPose, join};
 pub use tuple::Tuple;
 
@@ -81,12 +83,14 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     const TURN: f64;
     /// Has a turning body inertia forces of its own ([`Space::gyroscopic`])?
     const GYROSCOPIC: bool;
+    /// Names of the position coordinates of a body.
+    const POSITION_NAMES: &'static [&'static str];
     /// Names of the velocity coordinates of a body.
     const VELOCITY_NAMES: &'static [&'static str];
     /// Twist or wrench: linear components first.
     type Twist: Tuple;
     /// A frame fixed in a body, measured from the centre of mass in body axes (ground: from the origin).
-    type Frame: Copy + Debug + Send + Sync;
+    type Frame: Copy + Debug + Default + PartialEq + Send + Sync;
     /// Where a body is and how it stands, with what all its frames share (sines and cosines).
     type Pose: Copy + Debug + Default + Send + Sync;
     /// A frame's pose and velocity in ground axes at one instant.
@@ -135,6 +139,16 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Carries a momentum or force of a body's velocity coordinates, at its centre of mass, to the ground's origin and
     /// axes.
     fn at_origin(center: &Self::Marker, momentum: &Self::Twist) -> Self::Twist;
+    /// Position coordinates (NQ) that a body would have if the marker were its frame.
+    fn own_position(marker: &Self::Marker, out: &mut [f64]);
+    /// Velocity coordinates that a body would have if the marker were its frame: linear in ground axes, angular in the
+    /// axes in which the space counts them.
+    fn own_velocity(marker: &Self::Marker) -> Self::Twist;
+    /// The way back: the body's velocity coordinates from those of its frame `frame`, whose marker is `marker`. Linear in
+    /// `own`; with `own` at rest the body's accelerations lose [`Space::bias`] of the marker.
+    fn from_own(frame: &Self::Frame, marker: &Self::Marker, own: &Self::Twist) -> Self::Twist;
+    /// Axis of the motion of a body with velocity coordinates `v`; none where all axes are alike, or nothing moves.
+    fn screw(center: &Self::Marker, v: &Self::Twist) -> Option<Screw>;
     /// Rates q' (NQ) of a body with velocities `v` (NV).
     fn rate(q: &[f64], v: &[f64], out: &mut [f64]);
     /// Moves a body by a step in its velocity coordinates: the point that is reached in unit time with constant

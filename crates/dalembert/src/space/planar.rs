@@ -1,7 +1,7 @@
 //! The plane: three coordinates a body.
 
 use super::orientation::OrientationSet;
-use super::{AttitudeLabel, PoseCoordinate, Space};
+use super::{AttitudeLabel, PoseCoordinate, Screw, Space};
 use crate::joint::PlanarMeasure;
 use nalgebra::{Matrix3, Vector2, Vector3};
 use smallvec::{SmallVec, smallvec};
@@ -66,6 +66,7 @@ impl Space for Planar {
     const ANGULAR: &'static [usize] = &[2];
     const TURN: f64 = 1.0;
     const GYROSCOPIC: bool = false;
+    const POSITION_NAMES: &'static [&'static str] = &["x", "y", "angle"];
     const VELOCITY_NAMES: &'static [&'static str] = &["x", "y", "angle"];
     type Twist = Vector3<f64>;
     type Frame = PlanarFrame;
@@ -175,6 +176,23 @@ impl Space for Planar {
 
     fn at_origin(m: &PlanarMarker, h: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(h.x, h.y, h.z + m.point.x * h.y - m.point.y * h.x)
+    }
+
+    fn own_position(m: &PlanarMarker, out: &mut [f64]) {
+        out.copy_from_slice(&[m.point.x, m.point.y, m.angle]);
+    }
+
+    fn own_velocity(m: &PlanarMarker) -> Vector3<f64> {
+        Self::twist(m)
+    }
+
+    fn from_own(_: &PlanarFrame, m: &PlanarMarker, own: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(own.x + own.z * m.arm.y, own.y - own.z * m.arm.x, own.z)
+    }
+
+    /// Every turn in the plane is about its normal.
+    fn screw(_: &PlanarMarker, _: &Vector3<f64>) -> Option<Screw> {
+        None
     }
 
     fn rate(_: &[f64], v: &[f64], out: &mut [f64]) {

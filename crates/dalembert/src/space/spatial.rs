@@ -1,7 +1,7 @@
 //! Space: seven position coordinates and six velocity coordinates a body.
 
 use super::orientation::{Axis, OrientationSet, Rotation, skew};
-use super::{AttitudeLabel, PoseCoordinate, Space};
+use super::{AttitudeLabel, PoseCoordinate, Screw, Space};
 use crate::joint::SpatialMeasure;
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector6};
 use smallvec::SmallVec;
@@ -97,6 +97,7 @@ impl Space for Spatial {
     const ANGULAR: &'static [usize] = &[0, 1, 2];
     const TURN: f64 = 0.5;
     const GYROSCOPIC: bool = true;
+    const POSITION_NAMES: &'static [&'static str] = &["x", "y", "z", "e0", "e1", "e2", "e3"];
     const VELOCITY_NAMES: &'static [&'static str] = &[
         "x",
         "y",
@@ -247,6 +248,30 @@ impl Space for Spatial {
     fn at_origin(m: &SpatialMarker, h: &Vector6<f64>) -> Vector6<f64> {
         let (linear, angular) = parts(h);
         join(&linear, &(m.body * angular + m.point.cross(&linear)))
+    }
+
+    /// Of the two signs of the Euler parameters the one with a positive scalar part.
+    fn own_position(m: &SpatialMarker, out: &mut [f64]) {
+        let turn = Rotation3::from_matrix_unchecked(m.axes);
+        let b = UnitQuaternion::from_rotation_matrix(&turn);
+        let sign = if b.w < 0.0 { -1.0 } else { 1.0 };
+        out[..3].copy_from_slice(m.point.as_slice());
+        out[3..7].copy_from_slice(&[b.w, b.i, b.j, b.k].map(|x| sign * x));
+    }
+
+    fn own_velocity(m: &SpatialMarker) -> Vector6<f64> {
+        join(&m.velocity, &m.axes.tr_mul(&m.omega))
+    }
+
+    fn from_own(frame: &SpatialFrame, m: &SpatialMarker, own: &Vector6<f64>) -> Vector6<f64> {
+        let (linear, angular) = parts(own);
+        let omega = m.axes * angular;
+        join(&(linear - omega.cross(&m.arm)), &(frame.axes * angular))
+    }
+
+    fn screw(m: &SpatialMarker, v: &Vector6<f64>) -> Option<Screw> {
+        let (linear, angular) = parts(v);
+        Screw::new(&m.point, &linear, &(m.body * angular))
     }
 
     fn rate(q: &[f64], v: &[f64], out: &mut [f64]) {

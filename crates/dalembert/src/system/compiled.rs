@@ -588,9 +588,18 @@ impl<S: Space> System<S> {
 
     /// Names of the velocity coordinates in the user's words: "crank.x", "A.phi".
     pub fn coordinate_names(&self) -> Vec<String> {
-        let mut names = Vec::with_capacity(self.nv());
+        self.names(S::VELOCITY_NAMES)
+    }
+
+    /// Names of the position coordinates in the user's words: those of the velocities, but "body.e0" in space.
+    pub fn position_names(&self) -> Vec<String> {
+        self.names(S::POSITION_NAMES)
+    }
+
+    fn names(&self, of_bodies: &[&str]) -> Vec<String> {
+        let mut names = Vec::with_capacity(of_bodies.len() * self.bodies.len() + self.aux);
         for b in &self.bodies {
-            for c in S::VELOCITY_NAMES {
+            for c in of_bodies {
                 names.push(format!("{}.{c}", b.name));
             }
         }

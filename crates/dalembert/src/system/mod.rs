@@ -12,6 +12,8 @@ mod plan;
 mod positions;
 mod row_scales;
 mod state;
+#[cfg(test)]
+pub(crate) mod test_machine;
 mod turns;
 mod workspace;
 

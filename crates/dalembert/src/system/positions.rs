@@ -31,6 +31,24 @@ impl<S: Space> System<S> {
         self.count_turns(q);
     }
 
+    /// The smallest step in the velocity coordinates that [`System::advance`] needs from one pose to another.
+    pub fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
+        let (nq, nv) = (self.bodies.len() * S::NQ, self.body_nv());
+        let mut step = vec![0.0; self.nv()];
+        let (bodies, rest) = step.split_at_mut(nv);
+        for ((out, from), to) in bodies
+            .chunks_exact_mut(S::NV)
+            .zip(from.chunks_exact(S::NQ))
+            .zip(to.chunks_exact(S::NQ))
+        {
+            S::difference(from, to, out);
+        }
+        for ((out, from), to) in rest.iter_mut().zip(&from[nq..]).zip(&to[nq..]) {
+            *out = to - from;
+        }
+        step
+    }
+
     /// Rates of the positions with velocities v.
     pub fn position_rates(&self, q: &[f64], v: &[f64], out: &mut [f64]) {
         if S::NQ == S::NV {

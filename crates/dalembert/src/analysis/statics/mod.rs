@@ -11,6 +11,8 @@ mod reduced;
 mod report;
 mod search;
 mod solution;
+#[cfg(test)]
+mod spatial_test;
 mod stability;
 
 pub use holding::{HoldingLoad, HoldingLoads, Unknown, holding_loads};
@@ -22,7 +24,7 @@ use super::open_reactions::OpenReactions;
 use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly};
 use crate::results::{Channel, Results};
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::System;
 use family::connected;
 use motions::Motions;
@@ -105,12 +107,25 @@ impl Statics {
     ///
     /// # Errors
     /// The machine cannot be assembled, or no equilibrium was found.
-    pub fn run(&self, system: &System<Planar>) -> Result<StaticsReport, AnalysisError> {
+    pub fn run<S: Space>(&self, system: &System<S>) -> Result<StaticsReport, AnalysisError> {
         let running = system.running();
         let mut problem = Problem::new(&running, self.newton);
-        let estimate = self.assemble(system, &mut problem)?;
+        let mut report = self.search(system, &mut problem)?;
+        let results = record(&mut problem, &report.equilibria)?;
+        let notes = std::mem::replace(&mut report.results, results).notes;
+        report.results.notes.extend(notes);
+        Ok(report)
+    }
+
+    /// The equilibria of a system, whose running part is that of the problem; of the results only the notes.
+    fn search<S: Space>(
+        &self,
+        system: &System<S>,
+        problem: &mut Problem<'_, S>,
+    ) -> Result<StaticsReport, AnalysisError> {
+        let estimate = self.assemble(system, problem)?;
         problem.evaluate(&estimate)?;
-        let freedoms = Motions::new(&problem)?.basis.ncols();
+        let freedoms = Motions::new(problem)?.basis.ncols();
         // Machines with many freedoms have more unstable equilibria than anyone wants to read, and
         // each run takes the cube of the freedoms.
         let all = self.starts.is_some() || freedoms <= MANY;
@@ -125,17 +140,17 @@ impl Statics {
         };
         // From the estimate itself errors count; from other poses they only mean that there is
         // nothing to be found that way.
-        let first = self.solve(&mut problem, &estimate, Goal::Rest)?;
-        self.keep(&mut problem, &mut found, &estimate, &first)?;
-        if let Ok(any) = self.solve(&mut problem, &estimate, Goal::Any) {
-            self.keep(&mut problem, &mut found, &estimate, &any)?;
+        let first = self.solve(problem, &estimate, Goal::Rest)?;
+        self.keep(problem, &mut found, &estimate, &first)?;
+        if let Ok(any) = self.solve(problem, &estimate, Goal::Any) {
+            self.keep(problem, &mut found, &estimate, &any)?;
         }
         let mut starts = 1;
         let mut numbers = Numbers(self.seed);
         let further = if freedoms == 0 { 0 } else { wanted };
         for number in 0..further {
-            let wanted = target(&problem, number, &mut numbers);
-            let Ok(from) = wander(&mut problem, &estimate, &wanted) else {
+            let wanted = target(problem, number, &mut numbers);
+            let Ok(from) = wander(problem, &estimate, &wanted) else {
                 continue;
             };
             starts += 1;
@@ -144,16 +159,16 @@ impl Statics {
             } else {
                 &[Goal::Rest]
             };
-            self.try_from(&mut problem, &mut found, &estimate, &from, goals)?;
-            self.leave_unstable(&mut problem, &mut found, &estimate)?;
+            self.try_from(problem, &mut found, &estimate, &from, goals)?;
+            self.leave_unstable(problem, &mut found, &estimate)?;
         }
-        self.leave_unstable(&mut problem, &mut found, &estimate)?;
+        self.leave_unstable(problem, &mut found, &estimate)?;
         if found.equilibria.is_empty() {
-            return Err(diagnosis::none(&mut problem, &estimate, &first, starts));
+            return Err(diagnosis::none(problem, &first, starts));
         }
         let mut equilibria = found.equilibria;
         sort(&mut equilibria);
-        let mut results = record(&mut problem, &equilibria)?;
+        let mut results = Results::default();
         if !all {
             results.notes.push(format!(
                 "the machine has {freedoms} freedoms: further poses at which it comes to rest were looked for from {further} poses only, unstable ones not at all; set the number of starts to look for more"
@@ -161,6 +176,7 @@ impl Statics {
         }
         Ok(StaticsReport {
             time: problem.time(),
+            velocities: problem.system.nv(),
             equilibria,
             freedoms,
             starts,
@@ -169,10 +185,10 @@ impl Statics {
     }
 
     /// The estimate on the constraints; initial conditions hold at the start where they can.
-    fn assemble(
+    fn assemble<S: Space>(
         &self,
-        system: &System<Planar>,
-        problem: &mut Problem<'_>,
+        system: &System<S>,
+        problem: &mut Problem<'_, S>,
     ) -> Result<Vec<f64>, AnalysisError> {
         let assembly = Assembly {
             newton: self.newton,
@@ -185,9 +201,9 @@ impl Statics {
         Ok(q)
     }
 
-    fn solve(
+    fn solve<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         from: &[f64],
         goal: Goal,
     ) -> Result<Solution, AnalysisError> {
@@ -206,9 +222,9 @@ impl Statics {
         }
     }
 
-    fn try_from(
+    fn try_from<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         found: &mut Found,
         estimate: &[f64],
         from: &[f64],
@@ -223,9 +239,9 @@ impl Statics {
     }
 
     /// Follows the ways down from unstable equilibria: a stable one may lie at their end.
-    fn leave_unstable(
+    fn leave_unstable<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         found: &mut Found,
         estimate: &[f64],
     ) -> Result<(), AnalysisError> {
@@ -241,9 +257,9 @@ impl Statics {
         Ok(())
     }
 
-    fn keep(
+    fn keep<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         found: &mut Found,
         estimate: &[f64],
         solution: &Solution,
@@ -258,7 +274,7 @@ impl Statics {
         found.scale = found.scale.max(solution.scale);
         let scale = found.scale;
         let same = |x: f64, y: f64| (x - y).abs() <= 1e-8 * (scale + x.abs());
-        let settle = |problem: &mut Problem<'_>, q: &[f64]| {
+        let settle = |problem: &mut Problem<'_, S>, q: &[f64]| {
             reduced::solve(problem, q, Goal::Any, self.tolerance, self.max_iterations)
         };
         let mut known = false;
@@ -321,7 +337,10 @@ fn sort(equilibria: &mut [Equilibrium]) {
 }
 
 /// One instant for each equilibrium.
-fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Results, AnalysisError> {
+fn record<S: Space>(
+    problem: &mut Problem<'_, S>,
+    equilibria: &[Equilibrium],
+) -> Result<Results, AnalysisError> {
     let mut recorder = Recorder::new(true);
     let mut open = OpenReactions::default();
     let system = problem.system;
@@ -332,7 +351,7 @@ fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Resul
         let state = crate::system::State {
             t: problem.time(),
             q: e.q.clone(),
-            v: vec![0.0; e.q.len()],
+            v: vec![0.0; system.nv()],
         };
         recorder.record(system, &problem.ws, &state, Extra::default());
         open.pose(&problem.not_unique(), || {

@@ -10,9 +10,7 @@ use super::ALIKE;
 use super::axes::with_x;
 use super::placement::{Points, Zero};
 use crate::diagnostic::Diagnostic;
-use crate::joint::{
-    Measure, MeasureKind, MeasureRow, MeasureRows, MeasureTerm, SpatialMeasure, TimeFunction,
-};
+use crate::joint::{Measure, MeasureRow, MeasureRows, MeasureTerm, SpatialMeasure, TimeFunction};
 use crate::model::{JointKind, Placement, Point};
 use crate::space::Spatial;
 use crate::space::orientation::Axis;
