@@ -111,7 +111,7 @@ fn masses_of_solids() {
     check(
         &shape("kind = \"torus\", radius = 1, tube = 0.1, mass = 1"),
         &[
-            "wrong-combination 6:52 body \"a\": `shape[0]`: a `torus` has no `mass` | give the mass to another shape: this one is for the picture only",
+            "wrong-combination 6:51 body \"a\": `shape[0]`: a `torus` has no `mass` | give the mass to another shape: this one is for the picture only",
         ],
     );
     check(
