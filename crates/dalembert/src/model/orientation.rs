@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum EulerAxes {
-    /// Each turn is about an axis of the body as the turns before it have left it.
+    /// Each turn is about an axis of the turning frame as the turns before it have left it.
     #[default]
     Body,
-    /// Each turn is about an axis that stays where it is: of the ground, or of the body that carries the frame.
+    /// Each turn is about an axis that stays where it is: one of those from which the frame is turned.
     Space,
 }
 
@@ -28,7 +28,7 @@ pub enum Orientation {
         euler: String,
         /// The angles of the three turns [rad].
         angles: [Value; 3],
-        /// Axes of which body the turns are about; default "body".
+        /// Are the turns about axes of the turning frame ("body") or about axes that stay ("space")? Default "body".
         #[serde(default, skip_serializing_if = "Option::is_none")]
         axes: Option<EulerAxes>,
     },
@@ -36,7 +36,7 @@ pub enum Orientation {
     AxisAngle {
         /// Direction of the axis, of any length.
         axis: [Value; 3],
-        /// Angle of the turn [rad], counter-clockwise seen against the axis.
+        /// Angle of the turn [rad], by the rule of the right hand.
         angle: Value,
     },
     /// Four Euler parameters (a unit quaternion).
