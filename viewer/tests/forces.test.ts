@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { findForces, typicalForce } from "../src/data/forces";
+import { formatForce } from "../src/data/format";
 import { readAnimation } from "../src/data/read";
 import { Camera } from "../src/planar/camera";
 import { Figure } from "../src/planar/figure";
-import { formatForce } from "../src/planar/force-arrows";
 import type { Ink, Painter } from "../src/planar/painter";
 import type { Point2 } from "../src/data/contract";
 import { LIGHT } from "../src/planar/theme";

@@ -39,3 +39,10 @@ export function formatLength(metres: number): string {
   const [factor, unit] = size >= 1000 ? [1e-3, "km"] : size >= 0.99999 ? [1, "m"] : size >= 0.00099999 ? [1e3, "mm"] : [1e6, "µm"];
   return `${Number((metres * factor).toPrecision(4))} ${unit}`;
 }
+
+/** "2 kN" */
+export function formatForce(newtons: number): string {
+  const [factor, unit] = newtons >= 1e6 ? [1e-6, "MN"] : newtons >= 1e3 ? [1e-3, "kN"] : newtons >= 1 ? [1, "N"] : [1e3, "mN"];
+  const value = Number((newtons * factor).toPrecision(4));
+  return `${value >= 1e-3 && value < 1e6 ? value : formatNumber(value)} ${unit}`;
+}
