@@ -84,5 +84,5 @@ test("without forces there is nothing to show", () => {
 });
 
 test("sizes of forces are readable", () => {
-  assert.deepEqual([0.002, 0.5, 20, 5000, 2e6].map(formatForce), ["2 mN", "500 mN", "20 N", "5 kN", "2 MN"]);
+  assert.deepEqual([0.002, 0.5, 20, 5000, 2e6].map((value) => formatForce(value)), ["2 mN", "500 mN", "20 N", "5 kN", "2 MN"]);
 });

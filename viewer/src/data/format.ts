@@ -40,9 +40,9 @@ export function formatLength(metres: number): string {
   return `${Number((metres * factor).toPrecision(4))} ${unit}`;
 }
 
-/** "2 kN" */
-export function formatForce(newtons: number): string {
-  const [factor, unit] = newtons >= 1e6 ? [1e-6, "MN"] : newtons >= 1e3 ? [1e-3, "kN"] : newtons >= 1 ? [1, "N"] : [1e3, "mN"];
-  const value = Number((newtons * factor).toPrecision(4));
-  return `${value >= 1e-3 && value < 1e6 ? value : formatNumber(value)} ${unit}`;
+/** "2 kN", "500 mN m" */
+export function formatForce(value: number, unit: "N" | "N m" = "N"): string {
+  const [factor, prefix] = value >= 1e6 ? [1e-6, "M"] : value >= 1e3 ? [1e-3, "k"] : value >= 1 ? [1, ""] : [1e3, "m"];
+  const size = Number((value * factor).toPrecision(4));
+  return `${size >= 1e-3 && size < 1e6 ? size : formatNumber(size)} ${prefix}${unit}`;
 }

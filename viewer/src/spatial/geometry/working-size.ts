@@ -1,7 +1,7 @@
 import type { BufferGeometry } from "three";
 
 /** A size at which the fixed tolerances of the library are small. */
-const SIZE = 1e4;
+const SIZE = 300;
 
 /** Does something to a geometry while it is large: the library compares points by fixed distances. */
 export function atWorkingSize(geometry: BufferGeometry, work: (large: BufferGeometry) => BufferGeometry): BufferGeometry {
