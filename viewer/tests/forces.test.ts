@@ -85,4 +85,5 @@ test("without forces there is nothing to show", () => {
 
 test("sizes of forces are readable", () => {
   assert.deepEqual([0.002, 0.5, 20, 5000, 2e6].map((value) => formatForce(value)), ["2 mN", "500 mN", "20 N", "5 kN", "2 MN"]);
+  assert.equal(formatForce(1500, "N m"), "1.5 kN m");
 });

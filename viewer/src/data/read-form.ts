@@ -41,7 +41,7 @@ export function readSolidForm(fields: Fields, raw: Json, where: string): SolidFo
       return { kind: "cylinder", radius: size("radius"), length: size("length") };
     case "tube": {
       const form = { kind: "tube", outer: size("outer"), inner: size("inner"), length: size("length") } as const;
-      if (form.inner > form.outer) fields.problem(`${where}.inner must be smaller than outer.`);
+      if (form.inner >= form.outer) fields.problem(`${where}.inner must be smaller than outer.`);
       return form;
     }
     case "sphere":

@@ -24,10 +24,6 @@ const PAINTS = {
   load: { force: (theme: Theme) => theme.load, moment: (theme: Theme) => mix(theme.load, "#2f6fe0", 0.6) },
 } as const;
 
-export function forcePaint(part: "force" | "moment"): (theme: Theme) => string {
-  return PAINTS.reaction[part];
-}
-
 interface Arrow {
   readonly wrench: Wrench;
   readonly part: "force" | "moment";

@@ -1,4 +1,5 @@
 import { BoxGeometry, CylinderGeometry, Group, Mesh, Quaternion, Vector3, type BufferGeometry, type Object3D } from "three";
+import { mergeGeometries } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Attachment, Body, Joint, Vec3 } from "../data/contract";
 import { threadGeometry } from "./geometry/coil";
 import { arcProfile, revolve } from "./geometry/revolve";
@@ -69,11 +70,8 @@ export class JointSymbols {
 
   /** The outer part of a hinge: two rings that leave the pin visible between them. */
   private knuckle(): Object3D {
-    const ring = this.shape("knuckle", () => revolve([[0.85, -0.7], [1.7, -0.7], [1.7, 0.7], [0.85, 0.7]], true));
-    const [upper, lower] = [this.mesh(ring, SLEEVE), this.mesh(ring, SLEEVE)];
-    upper.position.z = 1.5 * this.unit;
-    lower.position.z = -1.5 * this.unit;
-    return new Group().add(upper, lower);
+    const ring = (z: number) => revolve([[0.85, z - 0.7], [1.7, z - 0.7], [1.7, z + 0.7], [0.85, z + 0.7]], true);
+    return this.mesh(this.shape("knuckle", () => mergeGeometries([ring(-1.5), ring(1.5)])), SLEEVE);
   }
 
   private pin(length: number): Object3D {
@@ -99,11 +97,13 @@ export class JointSymbols {
   private sleeve(sides: number): Object3D {
     const form = () => {
       const body = new CylinderGeometry(2.1, 2.1, 6, sides, 1).rotateX(Math.PI / 2).rotateZ(Math.PI / sides);
-      return sides < 12 ? body.toNonIndexed() : body;
+      if (sides >= 12) return body;
+      // Few sides are flat sides.
+      const flat = body.toNonIndexed();
+      flat.computeVertexNormals();
+      return flat;
     };
-    const geometry = this.shape(`sleeve ${sides}`, form);
-    if (sides < 12) geometry.computeVertexNormals();
-    return this.mesh(geometry, SLEEVE);
+    return this.mesh(this.shape(`sleeve ${sides}`, form), SLEEVE);
   }
 
   private disk(): Object3D {

@@ -65,7 +65,7 @@ export class Materials {
   arrow(paint: (theme: Theme) => string): readonly [Material, Material] {
     const key = paint(LIGHT);
     const plain = this.get(`arrow ${key}`, paint, () => new MeshStandardMaterial({ roughness: 0.8, metalness: 0 }));
-    const ghost = this.get(`ghost ${key}`, paint, () => new MeshBasicMaterial({ transparent: true, opacity: 0.4, depthFunc: GreaterDepth, depthWrite: false }));
+    const ghost = this.get(`ghost ${key}`, paint, () => new MeshBasicMaterial({ transparent: true, opacity: 0.55, depthFunc: GreaterDepth, depthWrite: false }));
     return [plain, ghost];
   }
 

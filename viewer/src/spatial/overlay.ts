@@ -3,7 +3,6 @@ import { formatForce, formatLength, roundDown125 } from "../data/format";
 import type { Theme } from "../planar/theme";
 import type { Painter } from "../planar/painter";
 import { AXIS_COLORS } from "./axis-lines";
-import { forcePaint } from "./force-vectors";
 
 /** A text at a place of the picture. */
 export interface Label {
@@ -35,9 +34,8 @@ export function drawOverlay(painter: Painter, theme: Theme, content: OverlayCont
   scales.forEach(({ part, perPixel }, i) => {
     const value = roundDown125(LONGEST_BAR * perPixel);
     const y = height - 42 - 28 * i;
-    const color = forcePaint(part)(theme);
-    bar(painter, y, value / perPixel, color, part === "moment" ? 2 : 1);
-    painter.text([16, y - 11], formatForce(value, part === "moment" ? "N m" : "N"), { color, size: 12, halo: theme.background });
+    bar(painter, y, value / perPixel, theme.ink, part === "moment" ? 2 : 1);
+    painter.text([16, y - 11], formatForce(value, part === "moment" ? "N m" : "N"), { color: theme.ink, size: 12, halo: theme.background });
   });
   gizmo(painter, theme, content);
 }
