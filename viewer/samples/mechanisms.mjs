@@ -2,7 +2,6 @@
 
 const range = (n, f) => Array.from({ length: n }, (_, i) => f(i));
 const times = (end, n) => range(n, (i) => (end * i) / (n - 1));
-const origin = [0, 0, 0];
 const side = (body, x, y, angle) => ({ body, at: [x, y, 0], direction: angle === undefined ? null : [Math.cos(angle), Math.sin(angle), 0] });
 const joint = (kind, name, first, second) => ({ name, kind, first, second });
 const shape = (kind, sizes, x = 0, y = 0, angle = 0) => ({ kind, ...sizes, position: [x, y, 0], quaternion: [Math.cos(angle / 2), 0, 0, Math.sin(angle / 2)], color: null, cut: false });
@@ -211,27 +210,5 @@ export function equilibrium() {
       { name: `${name}.force_y`, unit: "N", meaning: "force on the ladder", values: [y] },
     ]),
     notes: ["The equilibrium is stable."],
-  });
-}
-
-/** A spherical pendulum with a spinning plate. */
-export function spatial() {
-  const time = times(6, 361);
-  const position = [];
-  const quaternion = [];
-  for (const t of time) {
-    const [turn, tilt] = [0.9 * t, 0.5 + 0.15 * Math.cos(4 * t)];
-    const [ct, st] = [Math.cos(tilt / 2), Math.sin(tilt / 2)];
-    const [cz, sz] = [Math.cos(turn / 2), Math.sin(turn / 2)];
-    position.push(-Math.sin(tilt) * Math.cos(turn) * 0.5, -Math.sin(tilt) * Math.sin(turn) * 0.5, -0.5 * Math.cos(tilt));
-    // Turn about z, then tilt about y.
-    quaternion.push(cz * ct, -sz * st, cz * st, sz * ct);
-  }
-  const plate = { name: "plate", color: null, position, quaternion, shapes: [{ kind: "ring", outer: 0.15, inner: 0.06, position: [0, 0, 0], quaternion: [1, 0, 0, 0], color: null, cut: false }, { kind: "bar", length: 0.5, width: 0.03, position: [0, 0, 0.25], quaternion: [Math.SQRT1_2, 0, Math.SQRT1_2, 0], color: null, cut: false }, { kind: "torus", radius: 1 }] };
-  return page("Spherical pendulum", time, [plate], [range(time.length, (i) => [position[3 * i], position[3 * i + 1], 0])], {
-    space: "spatial",
-    joints: [joint("spherical", "pivot", { body: "ground", at: origin, direction: null }, { body: "plate", at: [0, 0, 0.5], direction: null })],
-    springs: [{ name: "spring", kind: "spring-damper", first: { body: "ground", at: [0.5, 0, -0.2] }, second: { body: "plate", at: [0.15, 0, 0] } }],
-    traces: [{ name: "centre", body: "plate", at: origin }],
   });
 }

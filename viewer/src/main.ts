@@ -1,13 +1,17 @@
-import { ContractError } from "./data/contract";
+import { ContractError, type Animation } from "./data/contract";
 import { readAnimation } from "./data/read";
 import { byId } from "./dom";
 import { showMessage } from "./message";
-import { Page } from "./page";
+import { Page, type OpenView } from "./page";
 
-function start(): void {
+/** Starts the page on the data that it carries; `refuse` says why this page cannot draw an animation, or nothing. */
+export function start(open: OpenView, refuse: (animation: Animation) => string | null): void {
   const text = byId("dalembert-data").textContent ?? "";
   try {
-    new Page(readAnimation(text));
+    const animation = readAnimation(text);
+    const reason = refuse(animation);
+    if (reason !== null) throw new ContractError([reason]);
+    new Page(animation, open);
   } catch (error) {
     document.body.classList.add("failed");
     document.body.dataset.state = "failed";
@@ -18,5 +22,3 @@ function start(): void {
     }
   }
 }
-
-start();

@@ -8,10 +8,11 @@ import { showInfo } from "./panels/info-panel";
 import { PlayerBar } from "./panels/player-bar";
 import { PlotPanel } from "./panels/plot-panel";
 import type { TraceMode } from "./planar/figure";
-import { PlanarView } from "./planar/planar-view";
 import { DARK, LIGHT, type Theme } from "./planar/theme";
-import { openSpatialView } from "./spatial/open";
-import type { PictureKind, View } from "./view";
+import { VIEWPOINTS, type PictureKind, type View, type Viewpoint } from "./view";
+
+/** Opens the picture on the page; null where the browser cannot draw it. */
+export type OpenView = (animation: Animation, host: HTMLElement, tooltip: HTMLElement, redraw: () => void) => View | null;
 
 const TRACE_MODES: readonly TraceMode[] = ["growing", "whole", "off"];
 /** A page that was hidden must not leap ahead when it is seen again [s]. */
@@ -27,17 +28,21 @@ export class Page {
   private traces: TraceMode = "growing";
   private names = false;
   private forces = false;
+  private frames = false;
+  private axes = false;
   /** Length of the arrows, times what they have by themselves. */
   private forceScale = 1;
   private drawing = false;
   private last: number | null = null;
 
-  constructor(private readonly animation: Animation) {
+  constructor(
+    private readonly animation: Animation,
+    open: OpenView,
+  ) {
     const redraw = () => this.redraw();
     this.player = new Player(animation.time);
     showInfo(animation);
-    const stage = [byId("figure"), byId("tooltip")] as const;
-    this.view = animation.space === "planar" ? new PlanarView(animation, ...stage, redraw) : openSpatialView(animation, byId("figure"), redraw);
+    this.view = open(animation, byId("figure"), byId("tooltip"), redraw);
     this.bar = new PlayerBar(this.player, animation.time.length, redraw);
     this.plots = new PlotPanel(
       animation,
@@ -70,11 +75,16 @@ export class Page {
 
   /** Does what the address says; did it name an instant? */
   private obey(): boolean {
-    const { time, frame, plot, x, forces } = readAddress(location.search, location.hash);
+    const { time, frame, plot, x, forces, names, frames, axes, from } = readAddress(location.search, location.hash);
     if (plot) this.plots.chooseNames(plot);
     if (x !== null) this.plots.against(x);
     if (forces !== null && forces > 0) this.scaleForces(Math.log10(forces));
     if (forces !== null) this.setForces(forces > 0);
+    if (names !== null) this.setNames(names);
+    if (frames !== null) this.setFrames(frames);
+    if (axes !== null) this.setAxes(axes);
+    const viewpoint = VIEWPOINTS.find((one) => one === from);
+    if (viewpoint) this.view?.tools?.look(viewpoint);
     if (time === null && frame === null) return false;
     this.player.pause();
     if (time !== null) this.player.seek(time);
@@ -96,7 +106,14 @@ export class Page {
     this.last = this.player.playing ? now : null;
     const frame = locate(this.animation.time, this.player.time);
     this.plots.setTheme(this.theme);
-    this.view?.draw(frame, { theme: this.theme, traces: this.traces, names: this.names, forces: this.forces ? this.forceScale : 0 });
+    this.view?.draw(frame, {
+      theme: this.theme,
+      traces: this.traces,
+      names: this.names,
+      forces: this.forces ? this.forceScale : 0,
+      frames: this.frames,
+      axes: this.axes,
+    });
     this.bar.show();
     this.plots.show(frame);
     document.body.dataset.state = "drawn";
@@ -110,6 +127,7 @@ export class Page {
     byId("traces-choice").hidden = view === null || this.animation.traces.length === 0;
     byId("traces").addEventListener("change", () => this.setTraces(byId<HTMLSelectElement>("traces").value as TraceMode));
     byId("names").addEventListener("click", () => this.setNames(!this.names));
+    this.spatialButtons();
     byId("forces").hidden = byId("help-forces").hidden = !view?.hasForces;
     byId("forces").addEventListener("click", () => this.setForces(!this.forces));
     const slider = byId<HTMLInputElement>("force-scale");
@@ -121,6 +139,20 @@ export class Page {
       button.hidden = !view?.pictures.includes(kind);
       button.addEventListener("click", () => void this.savePicture(kind));
     }
+  }
+
+  /** Buttons that only a picture in space needs. */
+  private spatialButtons(): void {
+    const tools = this.view?.tools ?? null;
+    for (const id of ["viewpoints", "frames", "axes", "help-steer", "help-viewpoints", "help-frames"]) byId(id).hidden = tools === null;
+    for (const from of VIEWPOINTS) byId(`from-${from}`).addEventListener("click", () => this.look(from));
+    byId("frames").addEventListener("click", () => this.setFrames(!this.frames));
+    byId("axes").addEventListener("click", () => this.setAxes(!this.axes));
+  }
+
+  private look(from: Viewpoint): void {
+    this.view?.tools?.look(from);
+    this.redraw();
   }
 
   private async savePicture(kind: PictureKind): Promise<void> {
@@ -137,6 +169,18 @@ export class Page {
   private setNames(shown: boolean): void {
     this.names = shown;
     byId("names").setAttribute("aria-pressed", String(shown));
+    this.redraw();
+  }
+
+  private setFrames(shown: boolean): void {
+    this.frames = shown;
+    byId("frames").setAttribute("aria-pressed", String(shown));
+    this.redraw();
+  }
+
+  private setAxes(shown: boolean): void {
+    this.axes = shown;
+    byId("axes").setAttribute("aria-pressed", String(shown));
     this.redraw();
   }
 
@@ -169,7 +213,24 @@ export class Page {
         player.pause();
         player.toFrame(frame);
       });
+    const tools = view?.tools;
+    const steer = (right: number, up: number) => (event: KeyboardEvent) => {
+      tools?.steer(right, up, event.shiftKey);
+      this.redraw();
+    };
     listenToKeys({
+      ...(tools && {
+        a: steer(-1, 0),
+        d: steer(1, 0),
+        w: steer(0, 1),
+        s: steer(0, -1),
+        i: () => this.look("iso"),
+        x: () => this.look("x"),
+        y: () => this.look("y"),
+        z: () => this.look("z"),
+        b: () => this.setFrames(!this.frames),
+        j: () => this.setAxes(!this.axes),
+      }),
       " ": then(() => player.toggle()),
       ArrowLeft: step(-1),
       ArrowRight: step(1),

@@ -8,10 +8,13 @@ import { mix, normalColor } from "../src/data/palette";
 
 const channel = (name: string, unit: string, values: number[], meaning = ""): Channel => ({ name, unit, meaning, values: Float64Array.from(values) });
 
+const silent = { time: null, frame: null, plot: null, x: null, forces: null, names: null, frames: null, axes: null, from: null };
+
 test("the address names instant and channels", () => {
-  assert.deepEqual(readAddress("?frame=12", ""), { time: null, frame: 12, plot: null, x: null, forces: null });
-  assert.deepEqual(readAddress("", "#t=0.5&plot=a.b,c%20d&x=a.b&forces=2"), { time: 0.5, frame: null, plot: ["a.b", "c d"], x: "a.b", forces: 2 });
-  assert.deepEqual(readAddress("", "#plot="), { time: null, frame: null, plot: [], x: null, forces: null });
+  assert.deepEqual(readAddress("?frame=12", ""), { ...silent, frame: 12 });
+  assert.deepEqual(readAddress("", "#t=0.5&plot=a.b,c%20d&x=a.b&forces=2"), { ...silent, time: 0.5, plot: ["a.b", "c d"], x: "a.b", forces: 2 });
+  assert.deepEqual(readAddress("", "#plot="), { ...silent, plot: [] });
+  assert.deepEqual(readAddress("", "#names=1&frames=0&axes=yes&from=z"), { ...silent, names: true, frames: false, from: "z" });
   assert.equal(readAddress("?frame=x", "#t=").frame, null);
 });
 

@@ -1,10 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { findForces, typicalForce } from "../src/data/forces";
+import { formatForce } from "../src/data/format";
 import { readAnimation } from "../src/data/read";
 import { Camera } from "../src/planar/camera";
 import { Figure } from "../src/planar/figure";
-import { formatForce } from "../src/planar/force-arrows";
 import type { Ink, Painter } from "../src/planar/painter";
 import type { Point2 } from "../src/data/contract";
 import { LIGHT } from "../src/planar/theme";
@@ -84,5 +84,6 @@ test("without forces there is nothing to show", () => {
 });
 
 test("sizes of forces are readable", () => {
-  assert.deepEqual([0.002, 0.5, 20, 5000, 2e6].map(formatForce), ["2 mN", "500 mN", "20 N", "5 kN", "2 MN"]);
+  assert.deepEqual([0.002, 0.5, 20, 5000, 2e6].map((value) => formatForce(value)), ["2 mN", "500 mN", "20 N", "5 kN", "2 MN"]);
+  assert.equal(formatForce(1500, "N m"), "1.5 kN m");
 });

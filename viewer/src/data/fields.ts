@@ -37,6 +37,37 @@ export class Fields {
     return 0;
   }
 
+  /** A size that makes no sense at zero. */
+  positive(value: unknown, where: string): number {
+    if (typeof value === "number" && Number.isFinite(value) && value > 0) return value;
+    this.problem(`${where} must be a positive number.`);
+    return 1;
+  }
+
+  /** How many there are of something, at least `least`. */
+  count(value: unknown, least: number, where: string): number {
+    if (typeof value === "number" && Number.isInteger(value) && value >= least) return value;
+    this.problem(`${where} must be a whole number, at least ${least}.`);
+    return least;
+  }
+
+  /** Finite numbers in threes, at least `least` of them; `length` numbers where that is known. */
+  triples(value: unknown, least: number, where: string, length?: number): Float32Array {
+    const list = this.list(value, where);
+    if (length !== undefined && list.length !== length) this.problem(`${where} must have ${length} numbers, it has ${list.length}.`);
+    else if (list.length % 3 !== 0 || list.length < 3 * least) this.problem(`${where} must have three numbers for each of at least ${least}, it has ${list.length}.`);
+    else if (!list.every((entry) => typeof entry === "number" && Number.isFinite(entry))) this.problem(`${where} must have finite numbers only.`);
+    else return Float32Array.from(list as number[]);
+    return new Float32Array(length ?? 3 * least);
+  }
+
+  /** A direction as a unit vector; null where there is none. */
+  direction(value: unknown, where: string): Vec3 | null {
+    const v = this.vec3(value, where, [0, 0, 0]);
+    const length = Math.hypot(...v);
+    return length > 0 ? [v[0] / length, v[1] / length, v[2] / length] : null;
+  }
+
   /** Numbers of a history; null (no value at this frame) becomes NaN. */
   numbers(value: unknown, length: number, where: string): Float64Array {
     const out = new Float64Array(length).fill(NaN);

@@ -16,7 +16,7 @@ export interface ForceHistory {
 }
 
 /** Springs and dampers: one tension along the line of their two points. */
-const TENSIONED = new Set(["spring-damper"]);
+export const TENSIONED = new Set(["spring-damper"]);
 
 /** The forces of a run whose place is known, from the channels NAME.force_x, NAME.force_y, NAME.moment and NAME.force. */
 export function findForces(animation: Animation): readonly ForceHistory[] {
@@ -56,7 +56,8 @@ export function typicalMoment(forces: readonly ForceHistory[]): number {
   return Math.max(0, ...forces.map(({ moment }) => (moment ? typical(moment.length, (i) => Math.abs(moment[i]!)) : 0)));
 }
 
-function typical(count: number, size: (index: number) => number): number {
+/** The size that most values of a history do not exceed. */
+export function typical(count: number, size: (index: number) => number): number {
   const sizes = Array.from({ length: count }, (_, i) => size(i)).filter(Number.isFinite);
   sizes.sort((a, b) => a - b);
   return sizes[Math.min(sizes.length - 1, Math.floor(TYPICAL * sizes.length))] ?? 0;

@@ -39,3 +39,10 @@ export function formatLength(metres: number): string {
   const [factor, unit] = size >= 1000 ? [1e-3, "km"] : size >= 0.99999 ? [1, "m"] : size >= 0.00099999 ? [1e3, "mm"] : [1e6, "µm"];
   return `${Number((metres * factor).toPrecision(4))} ${unit}`;
 }
+
+/** "2 kN", "500 mN m" */
+export function formatForce(value: number, unit: "N" | "N m" = "N"): string {
+  const [factor, prefix] = value >= 1e6 ? [1e-6, "M"] : value >= 1e3 ? [1e-3, "k"] : value >= 1 ? [1, ""] : [1e3, "m"];
+  const size = Number((value * factor).toPrecision(4));
+  return `${size >= 1e-3 && size < 1e6 ? size : formatNumber(size)} ${prefix}${unit}`;
+}

@@ -1,6 +1,7 @@
-import { ContractError, type Animation, type Attachment, type Body, type Channel, type Joint, type Load, type Shape, type ShapeForm, type Trace } from "./contract";
+import { ContractError, type Animation, type Attachment, type Body, type Channel, type Joint, type Load, type Shape, type Trace, type Vec3 } from "./contract";
 import { Fields, type Json } from "./fields";
 import { normalColor, paletteColor } from "./palette";
+import { readFlatForm, readSolidForm } from "./read-form";
 
 export const FORMAT = "dalembert-animation/1";
 
@@ -28,6 +29,7 @@ export function readAnimation(text: string): Animation {
 class Reader {
   private readonly skipped: string[] = [];
   private readonly bodies = new Map<string, Body>();
+  private spatial = false;
 
   constructor(private readonly fields: Fields) {}
 
@@ -38,12 +40,14 @@ class Reader {
     const time = f.numbers(root.time, timeList.length, "time");
     if (time.some((t, i) => !Number.isFinite(t) || (i > 0 && t < time[i - 1]!))) f.problem("time must be finite and must not fall.");
     if (root.space !== "planar" && root.space !== "spatial") f.problem('space must be "planar" or "spatial".');
+    this.spatial = root.space === "spatial";
 
     f.list(root.bodies, "bodies").forEach((entry, i) => this.body(entry, i, time.length));
     const ground = root.ground === undefined || root.ground === null ? {} : f.object(root.ground, "ground");
     return {
       title: f.text(root.title, "title", "Untitled"),
       space: root.space === "spatial" ? "spatial" : "planar",
+      up: f.direction(root.up, "up") ?? [0, 0, 1],
       analysis: f.text(root.analysis, "analysis", ""),
       time,
       bodies: [...this.bodies.values()],
@@ -100,27 +104,10 @@ class Reader {
     return out;
   }
 
-  private form(raw: Json, where: string): ShapeForm | null {
-    const size = (key: string) => this.fields.size(raw[key], `${where}.${key}`);
-    switch (raw.kind) {
-      case "bar": {
-        const length = size("length");
-        const width = raw.width === undefined || raw.width === null ? length / 10 : size("width");
-        return { kind: "bar", length, width };
-      }
-      case "rectangle":
-        return { kind: "rectangle", width: size("width"), height: size("height") };
-      case "circle":
-        return { kind: "circle", radius: size("radius") };
-      case "ring":
-        return { kind: "ring", outer: size("outer"), inner: size("inner") };
-      case "polygon":
-        return { kind: "polygon", points: this.fields.points(raw.points, `${where}.points`) };
-      case "lump":
-        return { kind: "lump" };
-      default:
-        return null;
-    }
+  private form(raw: Json, where: string): Shape["form"] | null {
+    const flat = readFlatForm(this.fields, raw, where);
+    // Flat pictures have no place for solids.
+    return flat ?? (this.spatial ? readSolidForm(this.fields, raw, where) : null);
   }
 
   private joints(list: unknown, key: string): readonly Joint[] {
@@ -141,22 +128,31 @@ class Reader {
       const raw = this.fields.object(entry, `loads[${i}]`);
       const name = this.fields.text(raw.name, `loads[${i}].name`, "");
       const at = this.attachment(raw.on, `loads[${i}] "${name}", on`);
-      if (at) out.push({ name, at });
+      if (at) out.push({ name, at, along: this.line(raw.along, `loads[${i}] "${name}", along`) });
     });
     return out;
+  }
+
+  private line(value: unknown, where: string): Load["along"] {
+    if (value === undefined || value === null) return null;
+    const raw = this.fields.object(value, where);
+    const body = this.reference(raw.body, where);
+    const direction = this.fields.direction(raw.direction, `${where}: direction`);
+    if (direction === null) this.fields.problem(`${where}: direction must not be zero.`);
+    return body !== undefined && direction ? { body, direction } : null;
   }
 
   private attachment(value: unknown, where: string): Attachment | null {
     const raw = this.fields.object(value, where);
     const body = this.reference(raw.body, where);
     if (body === undefined) return null;
-    const direction = this.fields.vec3(raw.direction, `${where}: direction`, [0, 0, 0]);
-    const length = Math.hypot(...direction);
+    const direction = this.fields.direction(raw.direction, `${where}: direction`);
     const outline = this.fields.points(raw.outline, `${where}: outline`);
     return {
       body,
       at: this.fields.vec3(raw.at, `${where}: at`, [0, 0, 0]),
-      direction: length > 0 ? [direction[0] / length, direction[1] / length, direction[2] / length] : null,
+      direction,
+      reference: across(this.fields.direction(raw.reference, `${where}: reference`), direction),
       outline: outline.length > 2 ? outline : null,
     };
   }
@@ -193,4 +189,13 @@ class Reader {
       };
     });
   }
+}
+
+/** The part of a joint's x axis that is across its axis; null where nothing is left of it. */
+function across(x: Vec3 | null, axis: Vec3 | null): Vec3 | null {
+  if (x === null || axis === null) return x;
+  const along = x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2];
+  const rest: Vec3 = [x[0] - along * axis[0], x[1] - along * axis[1], x[2] - along * axis[2]];
+  const length = Math.hypot(...rest);
+  return length > 1e-9 ? [rest[0] / length, rest[1] / length, rest[2] / length] : null;
 }

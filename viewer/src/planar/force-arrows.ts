@@ -1,6 +1,6 @@
 import type { Animation, Attachment, Point2 } from "../data/contract";
 import { findForces, typicalForce, typicalMoment, type ForceHistory } from "../data/forces";
-import { formatNumber, roundDown125 } from "../data/format";
+import { formatForce, roundDown125 } from "../data/format";
 import { valueAt, type Frame } from "../motion/frame";
 import type { Camera } from "./camera";
 import type { Painter } from "./painter";
@@ -81,13 +81,6 @@ export class ForceArrows {
     arrow(painter, [x, y], end, theme.reaction);
     painter.text([(x + end[0]) / 2, y - 11], formatForce(value), { color: theme.reaction, size: 12, align: "center", halo: theme.background });
   }
-}
-
-/** "2 kN" */
-export function formatForce(newtons: number): string {
-  const [factor, unit] = newtons >= 1e6 ? [1e-6, "MN"] : newtons >= 1e3 ? [1e-3, "kN"] : newtons >= 1 ? [1, "N"] : [1e3, "mN"];
-  const value = Number((newtons * factor).toPrecision(4));
-  return `${value >= 1e-3 && value < 1e6 ? value : formatNumber(value)} ${unit}`;
 }
 
 function components(force: ForceHistory, frame: Frame, at: Point2, place: (side: Attachment) => Point2): Point2 {

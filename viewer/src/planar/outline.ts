@@ -7,7 +7,7 @@ export type Loops = readonly (readonly Point2[])[];
 /** Corners of a full circle: at 500 pixels of radius the chord is a quarter of a pixel off. */
 const CIRCLE_CORNERS = 96;
 
-/** The outline of a form in its own frame. A lump has none: it is drawn as a symbol. */
+/** The outline of a form in its own frame. Lumps and solids have none. */
 export function formLoops(form: ShapeForm): Loops {
   switch (form.kind) {
     case "bar": {
@@ -26,7 +26,8 @@ export function formLoops(form: ShapeForm): Loops {
       return [circle(0, 0, form.outer), circle(0, 0, form.inner)];
     case "polygon":
       return [form.points];
-    case "lump":
+    default:
+      // A lump is a symbol, and solids are no plane's business.
       return [];
   }
 }
@@ -50,7 +51,7 @@ export interface Part {
 export function bodyParts(shapes: readonly Shape[]): readonly Part[] {
   const cuts = shapes.filter((shape) => shape.cut).flatMap(shapeLoops);
   return shapes
-    .filter((shape) => !shape.cut && shape.form.kind !== "lump")
+    .filter((shape) => !shape.cut && formLoops(shape.form).length > 0)
     .map((shape) => {
       const loops = shapeLoops(shape);
       const holes = cuts.filter((cut) => inside(loops, ...centre(cut)));

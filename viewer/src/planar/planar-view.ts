@@ -19,6 +19,7 @@ const PNG_SCALE = 3;
 export class PlanarView implements View {
   readonly pictures = ["svg", "png"] as const;
   readonly dragHelp = "move the picture";
+  readonly tools = null;
   readonly hasForces: boolean;
   private readonly figure: Figure;
   private readonly camera = new Camera();

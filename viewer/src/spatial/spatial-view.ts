@@ -1,209 +1,225 @@
-import { AmbientLight, AxesHelper, Box3, Color, DirectionalLight, GridHelper, Group, Line, Mesh, PerspectiveCamera, Scene, SphereGeometry, Vector3, WebGLRenderer } from "three";
-import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import type { Animation, Attachment, Body, Joint, Trace } from "../data/contract";
-import { roundDown125 } from "../data/format";
-import { mix } from "../data/palette";
+import { Color, DirectionalLight, HemisphereLight, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import type { Animation, Quaternion, Vec3 } from "../data/contract";
+import { formatLength } from "../data/format";
 import { make } from "../dom";
 import type { Frame } from "../motion/frame";
-import { bodyPose, place, poseAt } from "../motion/pose";
-import { sampleFrames } from "../motion/samples";
+import { poseAt } from "../motion/pose";
+import { CanvasPainter } from "../planar/canvas-painter";
 import { LIGHT, type Theme } from "../planar/theme";
-import type { PictureKind, View, ViewOptions } from "../view";
-import { bodyGroup, material, polyline } from "./body-group";
-import { helix } from "./spring-line";
+import type { PictureKind, SpatialTools, View, ViewOptions, Viewpoint } from "../view";
+import { Floor } from "./floor";
+import { Machine, type Pointable } from "./machine";
+import { Materials } from "./materials";
+import { ISOMETRIC, Orbit } from "./orbit";
+import { drawOverlay, type Label, type OverlayContent } from "./overlay";
+import { isFinite3 } from "./vectors";
 
-/** The picture in space: WebGL, z up, turned with the mouse. */
+/** A saved PNG has this many pixels for each of the screen's. */
+const PNG_SCALE = 3;
+/** Graphics cards refuse larger pictures. */
+const LARGEST_SIDE = 8192;
+/** A step of the keys: angle [rad], and part of the picture's height. */
+const TURN_STEP = Math.PI / 24;
+const MOVE_STEP = 0.06;
+
+const DIRECTIONS: Readonly<Record<Viewpoint, Vec3>> = { iso: ISOMETRIC, x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, 1] };
+
+/** The picture in space: WebGL, turned and moved with mouse, fingers and keys. */
 export class SpatialView implements View {
   readonly pictures = ["png"] as const;
-  readonly hasForces = false;
-  readonly dragHelp = "turn the picture; with the right button, move it";
-  private readonly renderer: WebGLRenderer;
+  readonly hasForces: boolean;
+  readonly dragHelp = "turn the picture; with the right button, shift or two fingers, move it";
+  readonly tools: SpatialTools = {
+    look: (from) => this.orbit.fit(DIRECTIONS[from]),
+    steer: (right, up, moving) => (moving ? this.orbit.move(MOVE_STEP * right, MOVE_STEP * up) : this.orbit.turn(TURN_STEP * right, TURN_STEP * up)),
+  };
+  private readonly renderer = new WebGLRenderer({ antialias: true });
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(35, 1, 0.01, 100);
-  private readonly controls: OrbitControls;
-  private readonly box = new Box3();
-  private readonly groups: { body: Body; group: Group; label: HTMLElement }[] = [];
-  private readonly pins: { joint: Joint; mesh: Mesh }[] = [];
-  private readonly lines: { element: Joint; line: Line; coil: boolean }[] = [];
-  private readonly traces: { trace: Trace; line: Line; dot: Mesh }[] = [];
-  private readonly unit: number;
-  private readonly grid = new Group();
+  private readonly background = new Color();
+  private readonly sun = new DirectionalLight(0xffffff, 1.75);
+  private readonly sky = new HemisphereLight(0xffffff, 0xb9b4aa, 1.75);
+  private readonly materials = new Materials();
+  private readonly machine: Machine;
+  private readonly floor: Floor;
+  private readonly orbit: Orbit;
+  private readonly overlay = make("canvas", "overlay");
+  private readonly raycaster = new Raycaster();
+  private pointer: Vector2 | null = null;
+  private dragging = false;
   private shown: { frame: Frame; options: ViewOptions } | null = null;
 
   constructor(
-    private readonly animation: Animation,
+    animation: Animation,
     private readonly host: HTMLElement,
+    private readonly tooltip: HTMLElement,
     private readonly redraw: () => void,
   ) {
-    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(window.devicePixelRatio || 1);
     const canvas = this.renderer.domElement;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", `Drawing of ${animation.title}: ${animation.bodies.map((body) => body.name).join(", ")}`);
-    host.append(canvas);
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("change", redraw);
-    this.measure();
-    this.unit = 0.008 * (this.box.getSize(new Vector3()).length() || 1);
-    this.build();
+    host.append(canvas, this.overlay);
+    this.machine = new Machine(animation, this.materials);
+    this.hasForces = !this.machine.forces.empty;
+    this.floor = new Floor(this.machine.box);
+    this.orbit = new Orbit(canvas, this.machine.box, redraw);
+    this.sky.position.set(0, 0, 1);
+    this.scene.background = this.background;
+    this.scene.add(this.sky, this.sun, this.sun.target, this.floor.lines, this.machine.group);
+    this.listen(canvas);
     this.resize();
-    this.fit();
   }
 
   resize(): void {
     const { clientWidth, clientHeight } = this.host;
+    const ratio = window.devicePixelRatio || 1;
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = Math.max(1, clientWidth) / Math.max(1, clientHeight);
-    this.camera.updateProjectionMatrix();
+    this.overlay.width = Math.max(1, Math.round(clientWidth * ratio));
+    this.overlay.height = Math.max(1, Math.round(clientHeight * ratio));
+    this.orbit.resize(clientWidth, clientHeight);
     // A new size empties the canvas; waiting for the next turn would show it empty.
     if (this.shown) this.draw(this.shown.frame, this.shown.options);
     else this.redraw();
   }
 
   fit(): void {
-    const centre = this.box.getCenter(new Vector3());
-    const radius = this.box.getSize(new Vector3()).length() / 2 || 1;
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = radius / Math.sin(((this.camera.fov / 2) * Math.PI) / 180) / narrow;
-    this.controls.target.copy(centre);
-    this.camera.position.copy(centre).add(new Vector3(0.9, -1.5, 0.8).normalize().multiplyScalar(distance));
-    this.camera.near = distance / 500;
-    this.camera.far = distance * 50;
-    this.camera.updateProjectionMatrix();
-    this.controls.update();
+    this.orbit.fit();
     this.redraw();
   }
 
   zoom(factor: number): void {
-    this.camera.position.sub(this.controls.target).divideScalar(factor).add(this.controls.target);
-    this.controls.update();
+    this.orbit.zoom(factor);
     this.redraw();
   }
 
   draw(frame: Frame, options: ViewOptions): void {
     this.shown = { frame, options };
-    for (const { body, group } of this.groups) {
-      const { position, quaternion } = poseAt(body.track, frame);
-      group.visible = position.every(Number.isFinite);
-      group.position.set(...position);
-      group.quaternion.set(quaternion[1], quaternion[2], quaternion[3], quaternion[0]);
-    }
-    const at = (side: Attachment) => place(bodyPose(side.body, frame), side.at);
-    for (const { joint, mesh } of this.pins) mesh.position.set(...at(joint.second));
-    for (const { element, line, coil } of this.lines) {
-      const [a, b] = [at(element.first), at(element.second)];
-      const points = coil ? helix(a, b, 2 * this.unit) : [...a, ...b];
-      line.geometry.attributes.position!.array.set(points);
-      line.geometry.attributes.position!.needsUpdate = true;
-    }
-    for (const { trace, line, dot } of this.traces) {
-      line.visible = dot.visible = options.traces !== "off";
-      line.geometry.setDrawRange(0, options.traces === "whole" ? Infinity : frame.index + 1);
-      dot.position.set(...place(bodyPose(trace.body, frame), trace.at));
-    }
+    this.machine.show(frame, options);
     this.render(options.theme);
-    this.names(options.names);
+    this.point(frame);
+    const context = this.overlay.getContext("2d");
+    if (!context) return;
+    const ratio = this.overlay.width / Math.max(1, this.host.clientWidth);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, this.host.clientWidth, this.host.clientHeight);
+    drawOverlay(new CanvasPainter(context), options.theme, this.content(frame, options));
   }
 
   async picture(_kind: PictureKind): Promise<Blob> {
+    if (!this.shown) throw new Error("nothing is shown yet");
+    const { frame, options } = this.shown;
+    const { clientWidth, clientHeight } = this.host;
+    const scale = Math.min(PNG_SCALE, LARGEST_SIDE / Math.max(clientWidth, clientHeight));
+    const canvas = make("canvas", "");
+    canvas.width = Math.round(clientWidth * scale);
+    canvas.height = Math.round(clientHeight * scale);
+    const context = canvas.getContext("2d");
+    if (!context) throw new Error("the browser could not draw the picture");
+    // Pictures go into documents, which are white.
+    this.machine.highlight(null);
+    this.renderer.setPixelRatio(scale);
+    this.renderer.setSize(clientWidth, clientHeight, false);
     this.render(LIGHT);
-    const blob = await new Promise<Blob | null>((resolve) => this.renderer.domElement.toBlob(resolve));
-    if (this.shown) this.draw(this.shown.frame, this.shown.options);
-    if (!blob) throw new Error("the browser could not write the picture");
-    return blob;
+    context.drawImage(this.renderer.domElement, 0, 0, canvas.width, canvas.height);
+    context.setTransform(scale, 0, 0, scale, 0, 0);
+    drawOverlay(new CanvasPainter(context), LIGHT, this.content(frame, options));
+    this.resize();
+    return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the browser could not write the picture")))));
   }
 
   private render(theme: Theme): void {
-    this.scene.background = new Color(theme.background);
-    for (const child of this.grid.children) {
-      if (child instanceof GridHelper) (child.material as { color?: Color }).color?.set(theme.axis);
-    }
-    this.renderer.render(this.scene, this.camera);
+    this.background.set(theme.background);
+    this.materials.setTheme(theme);
+    this.floor.paint(theme);
+    const light = theme === LIGHT;
+    this.sky.intensity = light ? 1.9 : 1.35;
+    this.sun.intensity = light ? 1.6 : 1.75;
+    // The light comes over the left shoulder, so that every side that is seen is shaded alike.
+    const { camera } = this.orbit;
+    camera.updateMatrixWorld();
+    this.sun.position.set(-0.55, 0.8, 1).applyQuaternion(camera.quaternion);
+    this.renderer.render(this.scene, camera);
   }
 
-  private names(shown: boolean): void {
+  private content(frame: Frame, options: ViewOptions): OverlayContent {
+    const { clientWidth: width, clientHeight: height } = this.host;
+    const back = this.orbit.camera.quaternion.clone().invert();
+    const axes = [0, 1, 2].map((k) => {
+      const axis = new Vector3().setComponent(k, 1).applyQuaternion(this.machine.group.quaternion).applyQuaternion(back);
+      return [axis.x, axis.y, axis.z] as const;
+    });
+    const pixels = this.orbit.pixelsPerMetre(height) * options.forces;
+    const parts = options.forces > 0 ? (["force", "moment"] as const).filter((part) => this.machine.forces.perMetre[part] > 0) : [];
+    const scales = parts.map((part) => ({ part, perPixel: this.machine.forces.perMetre[part] / pixels }));
+    return { width, height, labels: options.names ? this.labels(frame) : [], cell: this.floor.cell, axes, scales };
+  }
+
+  private labels(frame: Frame): readonly Label[] {
     const { clientWidth, clientHeight } = this.host;
-    for (const { group, label } of this.groups) {
-      label.hidden = !shown || !group.visible;
-      if (label.hidden) continue;
-      const p = group.position.clone().project(this.camera);
-      label.style.transform = `translate(-50%, -50%) translate(${((p.x + 1) / 2) * clientWidth}px, ${((1 - p.y) / 2) * clientHeight}px)`;
-    }
+    return this.machine.bodies.flatMap((one) => {
+      const at = this.machine.namePlace(one, frame);
+      if (!isFinite3(at)) return [];
+      const p = this.machine.group.localToWorld(new Vector3(...at)).project(this.orbit.camera);
+      return p.z > 1 ? [] : [{ text: one.body.name, at: [((p.x + 1) / 2) * clientWidth, ((1 - p.y) / 2) * clientHeight] as const }];
+    });
   }
 
-  /** The box around everything at every instant. */
-  private measure(): void {
-    const frames = sampleFrames(this.animation.time.length, 200);
-    const add = (body: Body | null, x: number, y: number, z: number) => {
-      for (const frame of frames) {
-        const p = place(bodyPose(body, frame), [x, y, z]);
-        if (p.every(Number.isFinite)) this.box.expandByPoint(new Vector3(...p));
-      }
+  private listen(canvas: HTMLElement): void {
+    const at = (event: PointerEvent) => {
+      const box = canvas.getBoundingClientRect();
+      this.pointer = new Vector2(event.clientX - box.left, event.clientY - box.top);
+      this.redraw();
     };
-    for (const body of this.animation.bodies) add(body, 0, 0, 0);
-    for (const element of [...this.animation.joints, ...this.animation.springs]) {
-      for (const side of [element.first, element.second]) add(side.body, ...side.at);
+    canvas.addEventListener("pointermove", at);
+    canvas.addEventListener("pointerdown", (event) => {
+      this.dragging = true;
+      canvas.classList.add("dragged");
+      at(event);
+    });
+    for (const name of ["pointerup", "pointercancel"] as const) {
+      canvas.addEventListener(name, () => {
+        this.dragging = false;
+        canvas.classList.remove("dragged");
+        this.redraw();
+      });
     }
-    for (const body of this.animation.bodies) {
-      const box = new Box3().setFromObject(bodyGroup(this.animation, body, body.shapes, body.color, 0.001));
-      if (box.isEmpty()) continue;
-      for (const x of [box.min.x, box.max.x]) for (const y of [box.min.y, box.max.y]) for (const z of [box.min.z, box.max.z]) add(body, x, y, z);
-    }
+    canvas.addEventListener("pointerleave", () => {
+      this.pointer = null;
+      this.redraw();
+    });
   }
 
-  private build(): void {
-    const { animation, scene, unit } = this;
-    scene.add(new AmbientLight(0xffffff, 1.7));
-    const sun = new DirectionalLight(0xffffff, 1.9);
-    sun.position.set(1, -2, 3);
-    scene.add(sun);
-    this.floor();
-    scene.add(bodyGroup(animation, null, animation.groundShapes, "#999999", unit));
-    for (const body of animation.bodies) {
-      const group = bodyGroup(animation, body, body.shapes, body.color, unit);
-      const label = make("span", "label", body.name);
-      this.host.append(label);
-      scene.add(group);
-      this.groups.push({ body, group, label });
-    }
-    for (const joint of animation.joints) {
-      const mesh = new Mesh(new SphereGeometry(1.35 * unit, 20, 14), material(joint.first.body === null || joint.second.body === null ? "#555b66" : "#d8dade"));
-      scene.add(mesh);
-      this.pins.push({ joint, mesh });
-      if (joint.kind === "distance") this.addLine(joint, false);
-    }
-    for (const spring of animation.springs) this.addLine(spring, true);
-    for (const trace of animation.traces) this.addTrace(trace);
+  /** Finds what is under the pointer and says what it is and where; not while the picture is being turned. */
+  private point(frame: Frame): void {
+    const found = this.pointer && !this.dragging ? this.under(this.pointer) : null;
+    this.machine.highlight(found?.body ?? null);
+    this.tooltip.hidden = found === null;
+    if (!found || !this.pointer) return;
+    const { body, joint } = found;
+    const text = body ? describe(poseAt(body.track, frame)) : (joint?.kind ?? "");
+    this.tooltip.replaceChildren(make("strong", "", body?.name ?? joint?.name ?? ""), make("span", "", text));
+    const { offsetWidth, offsetHeight } = this.tooltip;
+    const { x, y } = this.pointer;
+    this.tooltip.style.left = `${Math.max(4, Math.min(x + 14, this.host.clientWidth - offsetWidth - 4))}px`;
+    this.tooltip.style.top = `${y + 18 + offsetHeight > this.host.clientHeight ? y - offsetHeight - 10 : y + 18}px`;
   }
 
-  private addLine(element: Joint, coil: boolean): void {
-    const line = polyline(coil ? helix([0, 0, 0], [1, 0, 0], 1) : [0, 0, 0, 0, 0, 0], "#6b7280");
-    line.frustumCulled = false;
-    this.scene.add(line);
-    this.lines.push({ element, line, coil });
+  private under(pointer: Vector2): Pointable | null {
+    const { clientWidth, clientHeight } = this.host;
+    this.raycaster.setFromCamera(new Vector2((2 * pointer.x) / clientWidth - 1, 1 - (2 * pointer.y) / clientHeight), this.orbit.camera);
+    const seen = [...this.machine.pointables.keys()].filter((object) => object.visible && object.parent?.visible !== false);
+    const [hit] = this.raycaster.intersectObjects(seen, false);
+    return hit ? (this.machine.pointables.get(hit.object) ?? null) : null;
   }
+}
 
-  private addTrace(trace: Trace): void {
-    const points = sampleFrames(this.animation.time.length, Infinity).flatMap((frame) => [...place(bodyPose(trace.body, frame), trace.at)]);
-    const color = mix(trace.body?.color ?? "#777777", "#000000", 0.15);
-    const line = polyline(points, color);
-    const dot = new Mesh(new SphereGeometry(0.7 * this.unit, 16, 12), material(color));
-    this.scene.add(line, dot);
-    this.traces.push({ trace, line, dot });
-  }
-
-  /** A grid of round cells under the machine, and the ground axes (x red, y green, z blue). */
-  private floor(): void {
-    const size = this.box.getSize(new Vector3()).length() || 1;
-    const cell = roundDown125(size / 6);
-    const count = 2 * Math.ceil((0.8 * size) / cell);
-    const grid = new GridHelper(count * cell, count, 0xffffff, 0xffffff);
-    grid.rotateX(Math.PI / 2);
-    const middle = this.box.getCenter(new Vector3());
-    grid.position.set(Math.round(middle.x / cell) * cell, Math.round(middle.y / cell) * cell, Math.min(0, this.box.min.z));
-    const axes = new AxesHelper(cell / 2);
-    this.grid.add(grid, axes);
-    this.scene.add(this.grid);
-  }
+/** "x 10 mm, y 0 m, z 1 m, turned 30.00° about (0, 0, 1)" */
+export function describe({ position, quaternion }: { position: Vec3; quaternion: Quaternion }): string {
+  const sign = quaternion[0] < 0 ? -1 : 1;
+  const axis = quaternion.slice(1).map((v) => sign * v);
+  const sine = Math.hypot(...axis);
+  const degrees = (2 * Math.atan2(sine, Math.abs(quaternion[0])) * 180) / Math.PI;
+  const place = ["x", "y", "z"].map((name, k) => `${name} ${formatLength(position[k]!)}`).join(", ");
+  const turned = sine > 1e-9 ? `, turned ${degrees.toFixed(2)}° about (${axis.map((v) => Number((v / sine).toFixed(3)) + 0).join(", ")})` : "";
+  return `${place}${turned}`.replace(/-/g, "−");
 }

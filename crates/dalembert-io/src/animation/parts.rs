@@ -52,6 +52,13 @@ pub struct JointEnd {
     /// Direction in the frame of the body, for joints that have one.
     #[serde(serialize_with = "rounded::optional")]
     pub direction: Option<[f64; 3]>,
+    /// The joint's x axis in the frame of the body, for spatial joints that have a whole frame.
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "rounded::optional"
+    )]
+    pub reference: Option<[f64; 3]>,
     /// Closed curve fixed to the body, in the frame of the body (m): a cam's profile, a
     /// gear's pitch circle. It is the form of a body that has no shapes.
     #[serde(
@@ -85,14 +92,30 @@ pub struct SpringEnd {
     pub at: [f64; 3],
 }
 
-/// An element that pushes a body at a point; its channels NAME.force_x and NAME.force_y are the
-/// force in ground axes.
+/// An element that pushes or turns a body at a point.
+///
+/// Its channels NAME.force_x, NAME.force_y, NAME.force_z and NAME.moment_x, NAME.moment_y,
+/// NAME.moment_z are the force and moment in ground axes. With a line, the channels NAME.force
+/// and NAME.moment of one number each act along it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Load {
     /// Name.
     pub name: String,
     /// Where it pushes.
     pub on: SpringEnd,
+    /// The line along which channels of one number act.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub along: Option<Line>,
+}
+
+/// A direction that is fixed to a body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Line {
+    /// Body, or "ground".
+    pub body: String,
+    /// Direction in the frame of the body; its length does not matter.
+    #[serde(serialize_with = "rounded::slice")]
+    pub direction: [f64; 3],
 }
 
 /// A point whose path is drawn.

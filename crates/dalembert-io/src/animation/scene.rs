@@ -1,5 +1,6 @@
 //! The whole animation, and the check that it hangs together.
 
+use super::check::{finite, list};
 use super::{
     AnimatedBody, AnimatedChannel, AnimatedTrace, AnimationError, Form, Ground, Joint, Load, Shape,
     Spring, rounded,
@@ -18,6 +19,14 @@ pub struct Animation {
     pub title: String,
     /// "planar" or "spatial".
     pub space: String,
+    /// Direction in ground axes that the picture of a spatial machine shows upwards: against
+    /// gravity; `None` is z.
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        serialize_with = "rounded::optional"
+    )]
+    pub up: Option<[f64; 3]>,
     /// Name of the analysis.
     pub analysis: String,
     /// Instants of the frames (s).
@@ -50,6 +59,7 @@ impl Default for Animation {
             format: FORMAT.to_owned(),
             title: String::new(),
             space: "planar".to_owned(),
+            up: None,
             analysis: String::new(),
             time: Vec::new(),
             bodies: Vec::new(),
@@ -78,6 +88,9 @@ impl Animation {
     /// Checks lengths, references and numbers.
     pub fn check(&self) -> Result<(), AnimationError> {
         let n = self.time.len();
+        if let Some(up) = &self.up {
+            direction("animation", "up", up)?;
+        }
         list("time", "values", &self.time, n)?;
         for body in &self.bodies {
             list(&body.name, "position", &body.position, 3 * n)?;
@@ -98,6 +111,11 @@ impl Animation {
                     "direction",
                     end.direction.as_ref().map_or(&[], |d| d),
                 )?;
+                finite(
+                    &joint.name,
+                    "reference",
+                    end.reference.as_ref().map_or(&[], |d| d),
+                )?;
             }
         }
         for spring in &self.springs {
@@ -109,6 +127,10 @@ impl Animation {
         for load in &self.loads {
             self.body_exists(&load.name, &load.on.body)?;
             finite(&load.name, "at", &load.on.at)?;
+            if let Some(along) = &load.along {
+                self.body_exists(&load.name, &along.body)?;
+                direction(&load.name, "direction", &along.direction)?;
+            }
         }
         for trace in &self.traces {
             self.body_exists(&trace.name, &trace.body)?;
@@ -129,21 +151,15 @@ impl Animation {
     }
 }
 
-fn list(
-    element: &str,
-    field: &'static str,
-    values: &[f64],
-    expected: usize,
-) -> Result<(), AnimationError> {
-    if values.len() != expected {
-        return Err(AnimationError::WrongLength {
-            element: element.to_owned(),
-            field,
-            found: values.len(),
-            expected,
-        });
+fn direction(element: &str, field: &'static str, vector: &[f64; 3]) -> Result<(), AnimationError> {
+    finite(element, field, vector)?;
+    if vector.iter().any(|v| *v != 0.0) {
+        return Ok(());
     }
-    finite(element, field, values)
+    Err(AnimationError::NoDirection {
+        element: element.to_owned(),
+        field,
+    })
 }
 
 fn shapes(element: &str, shapes: &[Shape]) -> Result<(), AnimationError> {
@@ -157,18 +173,8 @@ fn shapes(element: &str, shapes: &[Shape]) -> Result<(), AnimationError> {
             Form::Ring { outer, inner } => finite(element, "ring", &[*outer, *inner]),
             Form::Polygon { points } => finite(element, "polygon", points.as_flattened()),
             Form::Lump => Ok(()),
+            Form::Solid(solid) => solid.check(element),
         }?;
     }
     Ok(())
-}
-
-fn finite(element: &str, field: &'static str, values: &[f64]) -> Result<(), AnimationError> {
-    match values.iter().position(|v| !v.is_finite()) {
-        Some(index) => Err(AnimationError::NotFinite {
-            element: element.to_owned(),
-            field,
-            index,
-        }),
-        None => Ok(()),
-    }
 }

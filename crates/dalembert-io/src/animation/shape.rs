@@ -1,6 +1,6 @@
 //! Shapes as the viewer draws them: sizes are numbers, whatever the model file says.
 
-use super::rounded;
+use super::{Solid, rounded};
 use serde::{Deserialize, Serialize};
 
 /// A shape with its place in the frame of its body.
@@ -23,9 +23,9 @@ pub struct Shape {
 
 impl Shape {
     /// A solid shape at the origin, in the body's colour.
-    pub fn new(form: Form) -> Self {
+    pub fn new(form: impl Into<Form>) -> Self {
         Self {
-            form,
+            form: form.into(),
             position: [0.0; 3],
             quaternion: [1.0, 0.0, 0.0, 0.0],
             color: None,
@@ -38,6 +38,14 @@ impl Shape {
     pub fn planar(mut self, at: [f64; 2], angle: f64) -> Self {
         self.position = [at[0], at[1], 0.0];
         self.quaternion = [(0.5 * angle).cos(), 0.0, 0.0, (0.5 * angle).sin()];
+        self
+    }
+
+    /// Puts the frame of the shape at a point (m), turned by a unit quaternion, scalar first.
+    #[must_use]
+    pub fn spatial(mut self, at: [f64; 3], quaternion: [f64; 4]) -> Self {
+        self.position = at;
+        self.quaternion = quaternion;
         self
     }
 }
@@ -87,4 +95,13 @@ pub enum Form {
     },
     /// A part without form, drawn as a dot.
     Lump,
+    /// A form of a spatial machine; its fields stand beside `kind` in the same object.
+    #[serde(untagged)]
+    Solid(Solid),
+}
+
+impl From<Solid> for Form {
+    fn from(solid: Solid) -> Self {
+        Self::Solid(solid)
+    }
 }

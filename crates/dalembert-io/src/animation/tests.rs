@@ -8,6 +8,7 @@ fn sample() -> Animation {
         body: body.to_owned(),
         at: [0.1, 0.0, 0.0],
         direction: None,
+        reference: None,
         outline: Vec::new(),
     };
     let spring_end = |body: &str| SpringEnd {
@@ -64,6 +65,7 @@ fn sample() -> Animation {
         loads: vec![Load {
             name: "push".to_owned(),
             on: spring_end("crank"),
+            along: None,
         }],
         traces: vec![AnimatedTrace {
             name: "tip".to_owned(),
@@ -199,4 +201,241 @@ fn data_that_do_not_hang_together_are_refused() {
             ..
         })
     ));
+}
+
+fn spatial(form: Solid) -> Animation {
+    let mut animation = sample();
+    animation.space = "spatial".to_owned();
+    animation.bodies[0].shapes =
+        vec![Shape::new(form).spatial([0.0, 0.0, 0.5], [0.0, 1.0, 0.0, 0.0])];
+    animation
+}
+
+/// One of each form, with what JSON says of it.
+fn solids() -> Vec<(Solid, serde_json::Value)> {
+    use serde_json::json;
+    vec![
+        (
+            Solid::Box {
+                size: [1.0, 2.0, 0.5],
+            },
+            json!({"kind": "box", "size": [1, 2, 0.5]}),
+        ),
+        (
+            Solid::Cylinder {
+                radius: 0.5,
+                length: 2.0,
+            },
+            json!({"kind": "cylinder", "radius": 0.5, "length": 2}),
+        ),
+        (
+            Solid::Tube {
+                outer: 0.5,
+                inner: 0.25,
+                length: 2.0,
+            },
+            json!({"kind": "tube", "outer": 0.5, "inner": 0.25, "length": 2}),
+        ),
+        (
+            Solid::Sphere { radius: 0.5 },
+            json!({"kind": "sphere", "radius": 0.5}),
+        ),
+        (
+            Solid::Hemisphere { radius: 0.5 },
+            json!({"kind": "hemisphere", "radius": 0.5}),
+        ),
+        (
+            Solid::Cone {
+                radius: 0.5,
+                height: 1.0,
+            },
+            json!({"kind": "cone", "radius": 0.5, "height": 1}),
+        ),
+        (
+            Solid::Rod {
+                length: 2.0,
+                radius: 0.125,
+            },
+            json!({"kind": "rod", "length": 2, "radius": 0.125}),
+        ),
+        (
+            Solid::Disk {
+                radius: 0.5,
+                thickness: 0.125,
+            },
+            json!({"kind": "disk", "radius": 0.5, "thickness": 0.125}),
+        ),
+        (
+            Solid::Plate {
+                width: 2.0,
+                height: 1.0,
+                thickness: 0.125,
+            },
+            json!({"kind": "plate", "width": 2, "height": 1, "thickness": 0.125}),
+        ),
+        (
+            Solid::Ellipsoid {
+                semi_axes: [1.0, 2.0, 3.0],
+            },
+            json!({"kind": "ellipsoid", "semi_axes": [1, 2, 3]}),
+        ),
+        (
+            Solid::Torus {
+                radius: 1.0,
+                tube: 0.25,
+            },
+            json!({"kind": "torus", "radius": 1, "tube": 0.25}),
+        ),
+        (
+            Solid::Mesh {
+                vertices: vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+                triangles: vec![0, 1, 2],
+            },
+            json!({"kind": "mesh", "vertices": [0, 0, 0, 1, 0, 0, 0, 1, 0], "triangles": [0, 1, 2]}),
+        ),
+        (
+            Solid::Revolved {
+                profile: vec![[0.0, 0.0], [0.5, 1.0]],
+            },
+            json!({"kind": "revolved", "profile": [[0, 0], [0.5, 1]]}),
+        ),
+        (
+            Solid::Surface {
+                nu: 2,
+                nv: 2,
+                points: vec![0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.5],
+            },
+            json!({"kind": "surface", "nu": 2, "nv": 2,
+                   "points": [0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0.5]}),
+        ),
+        (
+            Solid::Curve {
+                points: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            },
+            json!({"kind": "curve", "points": [0, 0, 0, 1, 1, 1]}),
+        ),
+    ]
+}
+
+#[test]
+fn forms_of_space_keep_the_contract_and_read_back() {
+    for (form, mut expected) in solids() {
+        let animation = spatial(form.clone());
+        let text = animation.to_json().unwrap();
+        let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+        for (key, value) in [
+            ("position", serde_json::json!([0, 0, 0.5])),
+            ("quaternion", serde_json::json!([0, 1, 0, 0])),
+            ("color", serde_json::Value::Null),
+            ("cut", serde_json::json!(false)),
+        ] {
+            expected[key] = value;
+        }
+        assert_eq!(json["bodies"][0]["shapes"][0], expected);
+        let back: Animation = serde_json::from_str(&text).unwrap();
+        assert_eq!(back.bodies[0].shapes[0].form, Form::Solid(form));
+    }
+}
+
+#[test]
+fn axes_lines_and_the_upward_direction_are_written_where_they_are_given() {
+    let mut animation = sample();
+    animation.up = Some([0.0, 1.0, 0.0]);
+    animation.joints[0].first.reference = Some([0.0, 0.0, 1.0]);
+    animation.loads[0].along = Some(Line {
+        body: "ground".to_owned(),
+        direction: [0.0, 0.0, -2.0],
+    });
+    let text = animation.to_json().unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["up"], serde_json::json!([0, 1, 0]));
+    assert_eq!(
+        json["joints"][0]["first"]["reference"],
+        serde_json::json!([0, 0, 1])
+    );
+    assert_eq!(
+        json["loads"][0]["along"],
+        serde_json::json!({"body": "ground", "direction": [0, 0, -2]})
+    );
+    let back: Animation = serde_json::from_str(&text).unwrap();
+    assert_eq!(back.loads, animation.loads);
+    animation.loads[0].along = Some(Line {
+        body: "crank".to_owned(),
+        direction: [0.0; 3],
+    });
+    assert_eq!(
+        animation.to_json().unwrap_err().to_string(),
+        "\"push\": its direction has no length"
+    );
+}
+
+#[test]
+fn forms_without_sense_are_refused_by_name() {
+    let corners = vec![0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    for (form, text) in [
+        (
+            Solid::Cylinder {
+                radius: -1.0,
+                length: 1.0,
+            },
+            "\"crank\": the radius of its cylinder is -1, it must be positive",
+        ),
+        (
+            Solid::Box {
+                size: [1.0, f64::NAN, 1.0],
+            },
+            "\"crank\": number 1 of box is not finite",
+        ),
+        (
+            Solid::Tube {
+                outer: 0.5,
+                inner: 0.5,
+                length: 1.0,
+            },
+            "\"crank\": the inner size of its tube must be smaller than the outer",
+        ),
+        (
+            Solid::Mesh {
+                vertices: corners.clone(),
+                triangles: vec![0, 1, 3],
+            },
+            "\"crank\": a triangle of its mesh names corner 3 of 3, counted from 0",
+        ),
+        (
+            Solid::Mesh {
+                vertices: corners[..8].to_vec(),
+                triangles: vec![0, 1, 2],
+            },
+            "\"crank\": the vertices of its mesh have 8 numbers, not a multiple of 3",
+        ),
+        (
+            Solid::Mesh {
+                vertices: corners.clone(),
+                triangles: vec![],
+            },
+            "\"crank\": its mesh has 0 in triangles, it needs at least 1",
+        ),
+        (
+            Solid::Revolved {
+                profile: vec![[-0.5, 0.0], [1.0, 0.0]],
+            },
+            "\"crank\": the radius -0.5 in the profile of its revolved form is negative",
+        ),
+        (
+            Solid::Surface {
+                nu: 2,
+                nv: 2,
+                points: corners.clone(),
+            },
+            "\"crank\": points of its surface has 9 numbers instead of 12",
+        ),
+        (
+            Solid::Curve {
+                points: corners[..3].to_vec(),
+            },
+            "\"crank\": its curve has 1 in points, it needs at least 2",
+        ),
+    ] {
+        assert_eq!(spatial(form).to_json().unwrap_err().to_string(), text);
+    }
 }
