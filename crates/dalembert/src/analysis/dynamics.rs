@@ -13,6 +13,7 @@ use crate::integrate::{Dopri5, Ode, StepError};
 use crate::model::Stabilization;
 use crate::results::Results;
 use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::compile::Options;
 use crate::system::{State, System};
 
@@ -33,6 +34,8 @@ pub struct Dynamics {
     pub baumgarte: [f64; 2],
     /// Newton's options of the assembly.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 /// What a run did.
@@ -59,6 +62,7 @@ impl Dynamics {
             stabilization: options.stabilization,
             baumgarte: options.baumgarte,
             newton: NewtonOptions::of(options),
+            orientation: options.orientation,
         }
     }
 
@@ -102,7 +106,7 @@ impl Dynamics {
         motion.passed(start)?;
         let start_energy = motion.energy(start, &y);
         let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
-        let mut recorder = Recorder::new(true);
+        let mut recorder = Recorder::new(true).with_orientation(self.orientation);
         let mut least = LeastReactions::new(&running);
         let mut open = OpenReactions::default();
         let (mut steps, mut rejected) = (0_usize, 0_usize);

@@ -5,6 +5,7 @@ use super::kinematics::{Kinematics, KinematicsRun};
 use super::newton::NewtonOptions;
 use crate::joint::{MeasureRow, MeasureRows, TimeFunction};
 use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::{ElementData, Role, System};
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
@@ -17,6 +18,8 @@ pub struct Inverse {
     pub instants: Vec<f64>,
     /// Newton's options.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
     /// Joints that have the actuators; empty: the drivers themselves.
     pub actuators: Vec<String>,
 }
@@ -30,6 +33,7 @@ impl Inverse {
         let kinematics = Kinematics {
             instants: self.instants.clone(),
             newton: self.newton,
+            orientation: self.orientation,
         };
         let mut run = if self.actuators.is_empty() {
             kinematics.run(system)?

@@ -15,6 +15,7 @@ use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
 use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::System;
 use crate::system::compile::Options;
 use actuated::Actuated;
@@ -27,6 +28,8 @@ pub struct Kinematics {
     pub instants: Vec<f64>,
     /// Newton's options.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 /// A kinematic run: what was computed, and why it ended early if it did.
@@ -46,6 +49,7 @@ impl Kinematics {
         Self {
             instants: options.instants(),
             newton: NewtonOptions::of(options),
+            orientation: options.orientation,
         }
     }
 
@@ -80,7 +84,7 @@ impl Kinematics {
         let running = system.running();
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
-        let mut recorder = Recorder::new(true);
+        let mut recorder = Recorder::new(true).with_orientation(self.orientation);
         let mut forces = actuated.map(Actuated::new);
         let mut least = LeastReactions::new(actuated.unwrap_or(&running));
         let mut open = OpenReactions::default();

@@ -25,6 +25,7 @@ use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly};
 use crate::results::{Channel, Results};
 use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::System;
 use family::connected;
 use motions::Motions;
@@ -62,6 +63,8 @@ pub struct Statics {
     pub seed: u64,
     /// Newton's options for the constraints.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 impl Default for Statics {
@@ -73,6 +76,7 @@ impl Default for Statics {
             starts: None,
             seed: 1,
             newton: NewtonOptions::default(),
+            orientation: OrientationSet::default(),
         }
     }
 }
@@ -111,7 +115,7 @@ impl Statics {
         let running = system.running();
         let mut problem = Problem::new(&running, self.newton);
         let mut report = self.search(system, &mut problem)?;
-        let results = record(&mut problem, &report.equilibria)?;
+        let results = record(&mut problem, &report.equilibria, self.orientation)?;
         let notes = std::mem::replace(&mut report.results, results).notes;
         report.results.notes.extend(notes);
         Ok(report)
@@ -340,8 +344,9 @@ fn sort(equilibria: &mut [Equilibrium]) {
 fn record<S: Space>(
     problem: &mut Problem<'_, S>,
     equilibria: &[Equilibrium],
+    orientation: OrientationSet,
 ) -> Result<Results, AnalysisError> {
-    let mut recorder = Recorder::new(true);
+    let mut recorder = Recorder::new(true).with_orientation(orientation);
     let mut open = OpenReactions::default();
     let system = problem.system;
     for (k, e) in equilibria.iter().enumerate() {

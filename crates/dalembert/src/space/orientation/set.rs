@@ -10,9 +10,10 @@ use std::fmt;
 use std::str::FromStr;
 
 /// A set of coordinates for orientations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum OrientationSet {
     /// Four Euler parameters, scalar first.
+    #[default]
     EulerParameters,
     /// Three Euler angles.
     Euler(EulerSequence),

@@ -76,6 +76,8 @@ pub struct DrawnEnd {
     pub at: [f64; 3],
     /// Direction of the element's axis in the body's frame: x in the plane, z in space.
     pub direction: [f64; 3],
+    /// Direction of the element's x axis in the body's frame, in space.
+    pub reference: Option<[f64; 3]>,
     /// Closed curve of the joint on the body, in the body's frame: a pitch circle, a profile;
     /// mostly empty.
     pub outline: Vec<[f64; 2]>,
@@ -166,6 +168,7 @@ fn end<S: Geometry>(system: &System<S>, marker: usize) -> DrawnEnd {
         body,
         at: at.into(),
         direction: S::direction(&m.frame).into(),
+        reference: S::reference(&m.frame).map(Into::into),
         outline: Vec::new(),
     }
 }

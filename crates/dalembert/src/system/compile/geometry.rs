@@ -61,6 +61,8 @@ pub(super) trait Geometry: Space {
     fn rotation(frame: &Self::Frame) -> Rotation;
     /// Direction of a joint's axis by its frame.
     fn direction(frame: &Self::Frame) -> Vector3<f64>;
+    /// The second direction that says how a joint's frame stands; none in the plane.
+    fn reference(frame: &Self::Frame) -> Option<Vector3<f64>>;
     /// Position along an axis of the ground.
     fn along_ground(axis: usize) -> Self::Measure;
     /// The measure, from the ground's frame to a frame on a body, that a coordinate of a body is; none where the space

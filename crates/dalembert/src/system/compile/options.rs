@@ -4,6 +4,7 @@ use super::context::Context;
 use super::geometry::Geometry;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Stabilization, Value};
+use crate::space::orientation::OrientationSet;
 use crate::words::readable;
 use dalembert_expr::Dim;
 use nalgebra::Vector3;
@@ -33,6 +34,8 @@ pub struct Options {
     pub actuators: Vec<String>,
     /// Independent coordinates chosen by the user.
     pub independent: Vec<String>,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 /// Most integration steps where the model gives no number: a minute or so of a small machine, a
@@ -53,6 +56,7 @@ impl Default for Options {
             max_iterations: 50,
             actuators: Vec::new(),
             independent: Vec::new(),
+            orientation: OrientationSet::default(),
         }
     }
 }
@@ -80,6 +84,27 @@ impl Options {
 }
 
 impl<S: Geometry> Context<'_, S> {
+    /// The set of coordinates in which orientations are written.
+    fn output_orientation(&mut self) -> OrientationSet {
+        let Some(name) = &self.model.output.orientation else {
+            return OrientationSet::default();
+        };
+        name.parse().unwrap_or_else(|_| {
+            self.report(
+                Diagnostic::error(
+                    "bad-orientation",
+                    "output.orientation",
+                    format!("output: '{name}' is not a set of coordinates for orientations"),
+                )
+                .help(
+                    "write \"euler-parameters\", \"axis-angle\", \"rodriguez\", \"direction-cosines\" or a sequence \
+                     of Euler angles like \"euler-zxz\"",
+                ),
+            );
+            OrientationSet::default()
+        })
+    }
+
     /// Resolves the options and gravity.
     pub fn options(&mut self) {
         let model = self.model;
@@ -181,6 +206,7 @@ impl<S: Geometry> Context<'_, S> {
             max_iterations: a.max_iterations.unwrap_or(50) as usize,
             actuators: a.actuators.clone(),
             independent: a.independent.clone(),
+            orientation: self.output_orientation(),
         };
         if let Some(g) = &model.info.gravity {
             self.gravity = self

@@ -71,6 +71,10 @@ impl Geometry for Planar {
         Vector3::new(c, s, 0.0)
     }
 
+    fn reference(_: &PlanarFrame) -> Option<Vector3<f64>> {
+        None
+    }
+
     fn along_ground(axis: usize) -> PlanarMeasure {
         if axis == 0 {
             PlanarMeasure::GroundX

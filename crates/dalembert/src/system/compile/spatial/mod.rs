@@ -67,6 +67,10 @@ impl Geometry for Spatial {
         frame.axes.column(2).into_owned()
     }
 
+    fn reference(frame: &SpatialFrame) -> Option<Vector3<f64>> {
+        Some(frame.axes.column(0).into_owned())
+    }
+
     fn along_ground(axis: usize) -> SpatialMeasure {
         SpatialMeasure::Ground(Axis::ALL[axis])
     }
