@@ -191,7 +191,9 @@ fn right_sides<S: Space>(
         let markers = ws.seen(&e.markers);
         e.element.positive().iter().any(|m| m.value(&markers) < 0.0)
     });
-    let names: Vec<String> = wrong.map(|e| format!("'{}' ({})", e.name, e.kind)).collect();
+    let names: Vec<String> = wrong
+        .map(|e| format!("'{}' ({})", e.name, e.kind))
+        .collect();
     if names.is_empty() {
         return Ok(());
     }

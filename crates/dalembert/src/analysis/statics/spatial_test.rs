@@ -242,14 +242,16 @@ fn a_motor_that_is_too_strong() {
         [0.0, 0.0, 12.0],
     );
     let system = machine.build(G);
-    let error = run(&system, Route::Reduced).unwrap_err();
-    let AnalysisError::NoEquilibrium { reason, .. } = error else {
-        panic!("{error}")
-    };
-    assert_eq!(
-        reason,
-        "the loads turn door round and round: no pose balances them"
-    );
+    for route in [Route::Reduced, Route::Multipliers] {
+        let error = run(&system, route).unwrap_err();
+        let AnalysisError::NoEquilibrium { reason, .. } = error else {
+            panic!("{error}")
+        };
+        assert_eq!(
+            reason,
+            "the loads turn door round and round: no pose balances them"
+        );
+    }
 }
 
 #[test]
