@@ -218,7 +218,7 @@ fn solid(form: &Solid) -> animation::Solid {
         Solid::Cone { radius, height } => Drawn::Cone { radius, height },
         Solid::Rod { length } => Drawn::Rod {
             length,
-            radius: 0.0125 * length,
+            radius: 0.025 * length,
         },
         Solid::Disk { radius } => Drawn::Disk {
             radius,

@@ -153,7 +153,7 @@ impl Context<'_, Spatial> {
                             radius: Some(radius),
                             ..
                         } => self.size(radius, place, "radius")?,
-                        _ => 0.5 * THIN * length,
+                        _ => THIN * length,
                     };
                     DrawnForm::Rod(length, radius)
                 }
