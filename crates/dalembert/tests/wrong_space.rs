@@ -341,6 +341,6 @@ fn an_actuator_may_name_one_of_several_coordinates() {
     };
     assert!(compile::<Planar>(&slot(Some("angle")), &[]).is_ok());
     for wrong in [Some("displacement"), Some("angle_1"), None] {
-        assert!(compile(&slot(wrong), &[]).is_err(), "{wrong:?}");
+        assert!(compile::<Planar>(&slot(wrong), &[]).is_err(), "{wrong:?}");
     }
 }
