@@ -235,6 +235,7 @@ fn moving_machine(make: &dyn Fn(&Value) -> Compiled, quantity: &Value, body: usi
         instants: vec![0.0, 1e-3],
         newton: NewtonOptions::of(&Options::default()),
         actuators: Vec::new(),
+        ..Inverse::default()
     }
     .run(&driven.system)
     .unwrap();
