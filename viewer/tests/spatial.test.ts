@@ -100,6 +100,16 @@ test("a body without a pose at a frame vanishes, the others stay", () => {
   assert.deepEqual(machine.bodies.map(({ group }) => group.visible), [true, false, true]);
 });
 
+test("the curves of joints are the forms of bodies that have none", () => {
+  const ring = Array.from({ length: 24 }, (_, i) => [0.2 * Math.cos((i * Math.PI) / 12), 0.2 * Math.sin((i * Math.PI) / 12)]);
+  const data = samples.bareLoop();
+  data.joints[0].second.outline = ring;
+  const machine = new Machine(readAnimation(JSON.stringify(data)), new Materials());
+  const [crank, coupler] = machine.bodies.map(({ solid }) => new Box3().setFromObject(solid.surfaces[0]!.mesh).getSize(new Vector3()));
+  assert.ok(Math.abs(crank!.x - 0.4) < 1e-6 && Math.abs(crank!.y - 0.4) < 1e-6);
+  assert.ok(coupler!.z > 0.3, "a rod");
+});
+
 test("frames and axes are shown where they are asked for", () => {
   const machine = new Machine(sample("joints"), new Materials());
   const lines = () => {
