@@ -48,6 +48,15 @@ test("every sample is built without a problem and keeps finite places in its box
   }
 });
 
+test("a mesh of fifty thousand sharp triangles is drawn", () => {
+  const data = samples.bareLoop();
+  const count = 50_000;
+  const corners = Array.from({ length: count }, (_, i) => [i, 0, 0, i + 0.5, 1, 0, i + 0.5, 0, 1].map((v) => v / count)).flat();
+  data.bodies[0].shapes = [{ kind: "mesh", vertices: corners, triangles: Array.from({ length: 3 * count }, (_, i) => i) }];
+  const machine = new Machine(readAnimation(JSON.stringify(data)), new Materials());
+  assert.equal(machine.bodies[0]!.solid.surfaces[0]!.mesh.geometry.getAttribute("position").count, 3 * count);
+});
+
 test("geometry is built once: frames only move it", () => {
   const machine = new Machine(sample("sliderCrankInSpace"), new Materials());
   const geometries = () => everything(machine).flatMap((object) => (object instanceof Mesh ? [object.geometry.uuid] : []));
