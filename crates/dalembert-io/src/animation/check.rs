@@ -108,7 +108,7 @@ pub(super) fn triples(
     length: usize,
     least: usize,
 ) -> Result<usize, AnimationError> {
-    if length % 3 != 0 {
+    if !length.is_multiple_of(3) {
         return Err(AnimationError::NotTriples {
             element: element.to_owned(),
             form,
