@@ -63,6 +63,7 @@ pub fn animation(loaded: &Loaded, results: &Results, summary: Vec<(String, Strin
         animation.loads.push(Load {
             name: name.clone(),
             on: spring_end(end),
+            ..Load::default()
         });
     }
     for (name, end) in &drawing.traces {
@@ -87,6 +88,7 @@ fn joint_end(e: &DrawnEnd) -> JointEnd {
         at: [e.at[0], e.at[1], 0.0],
         direction: Some([e.direction[0], e.direction[1], 0.0]),
         outline: e.outline.clone(),
+        ..JointEnd::default()
     }
 }
 
