@@ -107,7 +107,8 @@ class Schema:
             nested = choice.get("oneOf") or choice.get("anyOf")
             if title:
                 out += [title, "", text, ""]
-                rest = dict(choice, properties={k: v for k, v in choice["properties"].items() if k != "kind"})
+                keys = choice["properties"].items()
+                rest = dict(choice, properties={k: v for k, v in keys if k != "kind" and in_space(v, text)})
                 out += self.table(rest) + self.variants(choice, level + 1)
             else:
                 out += [text, ""] if text else []
@@ -139,6 +140,14 @@ class Schema:
 
         visit(self.root["properties"])
         return seen
+
+
+def in_space(schema, kind):
+    """Has the kind of element of this description the key? Keys and kinds of one space say so."""
+    for own, other in [("(planar)", "(spatial)"), ("(spatial)", "(planar)")]:
+        if own in kind and other not in kind:
+            return not schema.get("description", "").rstrip(".").endswith(other)
+    return True
 
 
 def plural(words):

@@ -5,7 +5,9 @@
 
 use dalembert::analysis::Assembly;
 use dalembert::diagnostic::Diagnostic;
-use dalembert::system::compile::compile;
+use dalembert::model::{Model, SpaceKind};
+use dalembert::space::{Planar, Spatial};
+use dalembert::system::compile::{ModelSpace, compile};
 use dalembert_io::model_file::{parse_model, render, to_json, write_model};
 use libfuzzer_sys::fuzz_target;
 
@@ -29,7 +31,15 @@ fuzz_target!(|text: &str| {
     let Some(model) = parsed.model.or(parsed.draft) else {
         return;
     };
-    let compiled = match compile(&model, &[]) {
+    match model.info.space {
+        SpaceKind::Planar => assemble::<Planar>(&model, &show),
+        SpaceKind::Spatial => assemble::<Spatial>(&model, &show),
+    }
+});
+
+/// Compiles and assembles a model.
+fn assemble<S: ModelSpace>(model: &Model, show: &dyn Fn(&[Diagnostic])) {
+    let compiled = match compile::<S>(model, &[]) {
         Ok(compiled) => compiled,
         Err(mistakes) => {
             assert!(!mistakes.0.is_empty());
@@ -50,4 +60,4 @@ fuzz_target!(|text: &str| {
     if let Ok((state, _)) = Assembly::default().run(system) {
         assert!(state.q.iter().chain(&state.v).all(|x| x.is_finite()));
     }
-});
+}

@@ -3,26 +3,46 @@
 use crate::arguments::{ModelArgs, RunArgs};
 use crate::failure::Failure;
 use dalembert::diagnostic::Diagnostic;
-use dalembert::model::{Model, Value};
-use dalembert::system::compile::{Compiled, compile};
+use dalembert::model::{Model, SpaceKind, Value};
+use dalembert::space::{Planar, Space, Spatial};
+use dalembert::system::compile::{Compiled, ModelSpace, compile};
 use dalembert::words::counted;
 use dalembert_io::model_file::{Parsed, parse_model, render, to_json};
 use std::io::IsTerminal;
 use std::path::Path;
 
+/// A model file, read and compiled in its space.
+pub enum Machine {
+    /// Motion in one plane.
+    Planar(Loaded<Planar>),
+    /// Motion in space.
+    Spatial(Loaded<Spatial>),
+}
+
+/// The same expression for a machine of either space.
+macro_rules! in_its_space {
+    ($machine:expr, $loaded:ident => $body:expr) => {
+        match $machine {
+            $crate::load::Machine::Planar($loaded) => $body,
+            $crate::load::Machine::Spatial($loaded) => $body,
+        }
+    };
+}
+pub(crate) use in_its_space;
+
 /// A model file, read and compiled.
-pub struct Loaded {
+pub struct Loaded<S: Space> {
     /// The model as written.
     pub model: Model,
     /// The compiled model.
-    pub compiled: Compiled,
+    pub compiled: Compiled<S>,
     /// Text of the file.
     pub text: String,
     /// Warnings for programs: a JSON list.
     pub warnings: serde_json::Value,
 }
 
-impl Loaded {
+impl<S: Space> Loaded<S> {
     /// An answer for programs, with the warnings of the model under "diagnostics".
     pub fn with_warnings(&self, mut answer: serde_json::Value) -> serde_json::Value {
         if let Some(object) = answer.as_object_mut() {
@@ -36,7 +56,7 @@ impl Loaded {
 const MOST_SHOWN: usize = 30;
 
 /// Reads and compiles a model file; prints warnings for people.
-pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Loaded, Failure> {
+pub fn load(args: &ModelArgs, change: impl Fn(&mut Model)) -> Result<Machine, Failure> {
     load_given(args, change, &[])
 }
 
@@ -45,11 +65,29 @@ fn load_given(
     args: &ModelArgs,
     change: impl Fn(&mut Model),
     given: &[(&str, &str)],
-) -> Result<Loaded, Failure> {
+) -> Result<Machine, Failure> {
     let text = read(&args.model)?;
-    let overrides = overrides(&args.set)?;
     let folder = args.model.parent();
     let mut parsed = parse_model(&text, folder);
+    // The draft stands in for a model with mistakes, to find those inside expressions too.
+    if let Some(draft) = &mut parsed.draft {
+        change(draft);
+    }
+    let space = parsed.draft.as_ref().map(|draft| draft.info.space);
+    Ok(match space.unwrap_or_default() {
+        SpaceKind::Planar => Machine::Planar(compiled(args, text, parsed, given)?),
+        SpaceKind::Spatial => Machine::Spatial(compiled(args, text, parsed, given)?),
+    })
+}
+
+/// Compiles what was read.
+fn compiled<S: ModelSpace>(
+    args: &ModelArgs,
+    text: String,
+    mut parsed: Parsed,
+    given: &[(&str, &str)],
+) -> Result<Loaded<S>, Failure> {
+    let overrides = overrides(&args.set)?;
     let name = args.model.display().to_string();
     let for_people = |parsed: &Parsed| {
         let color = std::io::stderr().is_terminal();
@@ -74,11 +112,9 @@ fn load_given(
         text: for_people(parsed),
         diagnostics: for_programs(parsed),
     };
-    let Some(mut draft) = parsed.draft.clone() else {
+    let Some(draft) = parsed.draft.clone() else {
         return Err(mistakes(&parsed));
     };
-    // The draft stands in for a model with mistakes, to find those inside expressions too.
-    change(&mut draft);
     let compiled = match compile(&draft, &overrides) {
         Ok(compiled) => {
             parsed.add(compiled.warnings.clone());
@@ -161,7 +197,7 @@ fn check_files(args: &RunArgs) -> Result<(), Failure> {
 }
 
 /// Reads and compiles the model of a run, with the options of the command line.
-pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
+pub fn load_run(args: &RunArgs) -> Result<Machine, Failure> {
     check_files(args)?;
     if args.html.is_some() {
         crate::page::check()?;
@@ -181,10 +217,14 @@ pub fn load_run(args: &RunArgs) -> Result<Loaded, Failure> {
 }
 
 /// Moves the estimate to an instant given on the command line. The start stays: rates are integrated from there.
-pub fn move_to(loaded: &mut Loaded, args: &ModelArgs, time: &str) -> Result<(), Failure> {
+pub fn move_to<S: ModelSpace>(
+    loaded: &mut Loaded<S>,
+    args: &ModelArgs,
+    time: &str,
+) -> Result<(), Failure> {
     let overrides = overrides(&args.set)?;
     let compiled = |model: &Model| {
-        compile(model, &overrides).map_err(|errors| {
+        compile::<S>(model, &overrides).map_err(|errors| {
             of_options(&errors.0, &overrides, &[("analysis.start", "--time")])
                 .unwrap_or_else(|| Failure::Usage(format!("--time: {errors}")))
         })

@@ -4,14 +4,15 @@ use crate::arguments::RunArgs;
 use crate::failure::Failure;
 use crate::load::{Loaded, beside};
 use dalembert::results::{Channel, Results};
+use dalembert::space::Space;
 use dalembert_io::plot::{Plot, rounding_as_zero};
 use dalembert_io::result_file::{Meta, select, write};
 use std::path::{Path, PathBuf};
 
 /// Writes what `--out`, `--plot` and `--html` ask for; returns the files written.
-pub fn write_all(
+pub fn write_all<S: Space>(
     args: &RunArgs,
-    loaded: &Loaded,
+    loaded: &Loaded<S>,
     results: &Results,
 ) -> Result<Vec<PathBuf>, Failure> {
     let mut written = Vec::new();

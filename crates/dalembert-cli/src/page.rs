@@ -7,7 +7,7 @@ use crate::{scene, summary, viewer};
 use dalembert::analysis::{Assembly, Mobility};
 use dalembert::model::SpaceKind;
 use dalembert::results::Results;
-use dalembert::space::Planar;
+use dalembert::space::Space;
 use dalembert::system::{Phase, Role, System};
 use dalembert_io::animation::html;
 use std::path::Path;
@@ -21,7 +21,7 @@ pub fn check() -> Result<(), Failure> {
 }
 
 /// Writes the page of a run.
-pub fn write(loaded: &Loaded, results: &Results, path: &Path) -> Result<(), Failure> {
+pub fn write<S: Space>(loaded: &Loaded<S>, results: &Results, path: &Path) -> Result<(), Failure> {
     let template =
         viewer::page(loaded.model.info.space).map_err(|e| Failure::Usage(e.to_string()))?;
     let facts = facts(&loaded.compiled.system, results);
@@ -34,7 +34,7 @@ pub fn write(loaded: &Loaded, results: &Results, path: &Path) -> Result<(), Fail
 }
 
 /// Rows of the page's table: what was computed, how large it is, and how well it went.
-fn facts(system: &System<Planar>, results: &Results) -> Vec<(String, String)> {
+fn facts<S: Space>(system: &System<S>, results: &Results) -> Vec<(String, String)> {
     let mut rows = vec![
         ("Analysis".to_owned(), results.analysis.clone()),
         ("Movable bodies".to_owned(), system.bodies.len().to_string()),
@@ -48,9 +48,8 @@ fn facts(system: &System<Planar>, results: &Results) -> Vec<(String, String)> {
             .map(|e| e.rows.len())
             .sum()
     };
-    let coordinates = 3 * system.bodies.len() + system.aux;
     for (name, count) in [
-        ("Coordinates", coordinates),
+        ("Coordinates", system.nv()),
         ("Constraint equations", equations(false)),
         ("Driver equations", equations(true)),
         ("Instants", results.len()),
@@ -73,7 +72,7 @@ fn facts(system: &System<Planar>, results: &Results) -> Vec<(String, String)> {
 }
 
 /// What the machine can do at its start; nothing where that cannot be decided.
-fn mobility(system: &System<Planar>) -> Vec<(String, String)> {
+fn mobility<S: Space>(system: &System<S>) -> Vec<(String, String)> {
     let report = Assembly::default()
         .run(system)
         .and_then(|(state, _)| Mobility::default().run(system, &state));

@@ -1,45 +1,56 @@
 //! From results to the data of the animated page.
 
 use crate::load::Loaded;
+use dalembert::mass::Solid;
+use dalembert::model::{GROUND, SpaceKind};
 use dalembert::results::Results;
+use dalembert::space::Space;
+use dalembert::space::orientation::{OrientationSet, Rotation};
 use dalembert::system::compile::{DrawnEnd, DrawnForm, DrawnShape};
 use dalembert_io::animation::{
-    AnimatedBody, AnimatedChannel, AnimatedTrace, Animation, Form, Joint, JointEnd, Load, Shape,
-    Spring, SpringEnd,
+    self, AnimatedBody, AnimatedChannel, AnimatedTrace, Animation, Form, Joint, JointEnd, Load,
+    Shape, Spring, SpringEnd,
 };
 
 /// The page's data for a run.
-pub fn animation(loaded: &Loaded, results: &Results, summary: Vec<(String, String)>) -> Animation {
+pub fn animation<S: Space>(
+    loaded: &Loaded<S>,
+    results: &Results,
+    summary: Vec<(String, String)>,
+) -> Animation {
     let drawing = &loaded.compiled.drawing;
-    let values = |name: String| results.channel(&name).map_or(&[][..], |c| &c.values[..]);
+    let spatial = loaded.model.info.space == SpaceKind::Spatial;
     let mut animation = Animation {
         title: results.model.clone(),
-        space: "planar".to_owned(),
+        space: if spatial { "spatial" } else { "planar" }.to_owned(),
+        up: upwards(&loaded.compiled.system.gravity),
         analysis: results.analysis.clone(),
-        time: values("time".to_owned()).to_vec(),
+        time: values(results, "time").to_vec(),
         notes: results.notes.clone(),
         summary,
         ..Animation::default()
     };
+    let set = loaded.compiled.options.orientation;
     for body in &drawing.bodies {
         let shapes: Vec<Shape> = body.shapes.iter().map(shape).collect();
-        if body.name == dalembert::model::GROUND {
+        if body.name == GROUND {
             animation.ground.shapes = shapes;
             continue;
         }
-        let of = |c: &str| values(format!("{}.{c}", body.name));
-        let (x, y, angle) = (of("x"), of("y"), of("angle"));
+        let place = ["x", "y", "z"].map(|c| values(results, &format!("{}.{c}", body.name)));
+        let turned = orientations(results, &body.name, spatial.then_some(set));
         let mut own = AnimatedBody {
             name: body.name.clone(),
             color: body.shapes.iter().find_map(|s| s.color.clone()),
-            position: Vec::with_capacity(3 * x.len()),
-            quaternion: Vec::with_capacity(4 * x.len()),
+            position: Vec::with_capacity(3 * turned.len()),
+            quaternion: Vec::with_capacity(4 * turned.len()),
             shapes,
         };
-        for ((x, y), angle) in x.iter().zip(y).zip(angle) {
-            own.position.extend([*x, *y, 0.0]);
-            let (s, c) = (0.5 * angle).sin_cos();
-            own.quaternion.extend([c, 0.0, 0.0, s]);
+        for (k, b) in turned.iter().enumerate() {
+            // In the plane there is no z.
+            own.position
+                .extend(place.map(|x| x.get(k).copied().unwrap_or(0.0)));
+            own.quaternion.extend([b.w, b.i, b.j, b.k]);
         }
         animation.bodies.push(own);
     }
@@ -63,14 +74,14 @@ pub fn animation(loaded: &Loaded, results: &Results, summary: Vec<(String, Strin
         animation.loads.push(Load {
             name: name.clone(),
             on: spring_end(end),
-            ..Load::default()
+            along: None,
         });
     }
     for (name, end) in &drawing.traces {
         animation.traces.push(AnimatedTrace {
             name: name.clone(),
             body: end.body.clone(),
-            at: [end.at[0], end.at[1], 0.0],
+            at: end.at,
         });
     }
     animation.channels = results
@@ -82,20 +93,51 @@ pub fn animation(loaded: &Loaded, results: &Results, summary: Vec<(String, Strin
     animation
 }
 
+fn values<'r>(results: &'r Results, name: &str) -> &'r [f64] {
+    results.channel(name).map_or(&[][..], |c| &c.values[..])
+}
+
+/// Against gravity; none in the plane and where there is none.
+fn upwards(gravity: &[f64]) -> Option<[f64; 3]> {
+    let g: [f64; 3] = gravity.try_into().ok()?;
+    let size = g.iter().fold(0.0_f64, |m, x| m.hypot(*x));
+    (size > 0.0).then(|| g.map(|x| -x / size + 0.0))
+}
+
+/// How a body stands at each instant: by its angle in the plane, by a set of coordinates in space.
+fn orientations(results: &Results, body: &str, set: Option<OrientationSet>) -> Vec<Rotation> {
+    let of = |name: &str| values(results, &format!("{body}.{name}"));
+    let Some(set) = set else {
+        let about_z = |angle: &f64| Rotation::from_euler_angles(0.0, 0.0, *angle);
+        return of("angle").iter().map(about_z).collect();
+    };
+    let columns: Vec<&[f64]> = set.names().iter().map(|name| of(name)).collect();
+    let instants = columns.first().map_or(0, |c| c.len());
+    let mut last = Rotation::identity();
+    (0..instants)
+        .map(|k| {
+            let numbers: Vec<f64> = columns.iter().map(|c| c[k]).collect();
+            // A set that is infinite at a half turn says nothing there: the picture waits for an instant.
+            last = set.rotation(&numbers).unwrap_or(last);
+            last
+        })
+        .collect()
+}
+
 fn joint_end(e: &DrawnEnd) -> JointEnd {
     JointEnd {
         body: e.body.clone(),
-        at: [e.at[0], e.at[1], 0.0],
-        direction: Some([e.direction[0], e.direction[1], 0.0]),
+        at: e.at,
+        direction: Some(e.direction),
+        reference: e.reference,
         outline: e.outline.clone(),
-        ..JointEnd::default()
     }
 }
 
 fn spring_end(e: &DrawnEnd) -> SpringEnd {
     SpringEnd {
         body: e.body.clone(),
-        at: [e.at[0], e.at[1], 0.0],
+        at: e.at,
     }
 }
 
@@ -118,9 +160,75 @@ fn shape(s: &DrawnShape) -> Shape {
             points: points.clone(),
         },
         DrawnForm::Lump => Form::Lump,
+        DrawnForm::Solid(form) => solid(form).into(),
+        DrawnForm::Rod(length, radius) => animation::Solid::Rod {
+            length: *length,
+            radius: *radius,
+        }
+        .into(),
+        DrawnForm::Disk(radius, thickness) => animation::Solid::Disk {
+            radius: *radius,
+            thickness: *thickness,
+        }
+        .into(),
+        DrawnForm::Plate(width, height, thickness) => animation::Solid::Plate {
+            width: *width,
+            height: *height,
+            thickness: *thickness,
+        }
+        .into(),
+        DrawnForm::Torus(radius, tube) => animation::Solid::Torus {
+            radius: *radius,
+            tube: *tube,
+        }
+        .into(),
+        DrawnForm::Mesh {
+            vertices,
+            triangles,
+        } => animation::Solid::Mesh {
+            vertices: vertices.as_flattened().to_vec(),
+            triangles: triangles.as_flattened().iter().map(|&k| k as u32).collect(),
+        }
+        .into(),
     };
-    let mut out = Shape::new(form).planar(s.at, s.angle);
+    let mut out = Shape::new(form);
+    out.position = s.at;
+    out.quaternion = s.quaternion;
     out.color = s.color.clone();
     out.cut = s.cut;
     out
+}
+
+fn solid(form: &Solid) -> animation::Solid {
+    use animation::Solid as Drawn;
+    match *form {
+        Solid::Box(size) => Drawn::Box { size },
+        Solid::Cylinder { radius, length } => Drawn::Cylinder { radius, length },
+        Solid::Tube {
+            inner,
+            outer,
+            length,
+        } => Drawn::Tube {
+            outer,
+            inner,
+            length,
+        },
+        Solid::Sphere { radius } | Solid::Shell { radius } => Drawn::Sphere { radius },
+        Solid::Hemisphere { radius } => Drawn::Hemisphere { radius },
+        Solid::Cone { radius, height } => Drawn::Cone { radius, height },
+        Solid::Rod { length } => Drawn::Rod {
+            length,
+            radius: 0.0125 * length,
+        },
+        Solid::Disk { radius } => Drawn::Disk {
+            radius,
+            thickness: 0.025 * radius,
+        },
+        Solid::Plate([width, height]) => Drawn::Plate {
+            width,
+            height,
+            thickness: 0.025 * width.min(height),
+        },
+        Solid::Ellipsoid(semi_axes) => Drawn::Ellipsoid { semi_axes },
+    }
 }

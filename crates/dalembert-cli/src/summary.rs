@@ -2,6 +2,7 @@
 
 use dalembert::analysis::AssemblyReport;
 use dalembert::results::{Channel, Results};
+use dalembert::space::Space;
 use dalembert::words::counted;
 pub use dalembert::words::readable as number;
 use std::path::PathBuf;
@@ -50,7 +51,16 @@ pub fn table(results: &Results) -> String {
         let last = name.rsplit('.').next().unwrap_or(name);
         matches!(
             last,
-            "angle" | "displacement" | "moment" | "force" | "length" | "x" | "y"
+            "angle"
+                | "angle_1"
+                | "angle_2"
+                | "displacement"
+                | "moment"
+                | "force"
+                | "length"
+                | "x"
+                | "y"
+                | "z"
         ) && !name.starts_with("momentum")
             && name.matches('.').count() == 1
     };
@@ -121,9 +131,9 @@ pub fn files(written: &[PathBuf]) -> String {
 
 /// Prints the summary of a run over time, writes its files; a run that stopped early keeps what it
 /// has and fails.
-pub fn report(
+pub fn report<S: Space>(
     args: &crate::arguments::RunArgs,
-    loaded: &crate::load::Loaded,
+    loaded: &crate::load::Loaded<S>,
     mut results: Results,
     assembled: &AssemblyReport,
     stopped: Option<dalembert::analysis::AnalysisError>,

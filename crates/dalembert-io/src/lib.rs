@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod animation;
+pub mod mesh_file;
 pub mod model_file;
 pub mod plot;
 pub mod result_file;

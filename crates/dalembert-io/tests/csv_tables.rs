@@ -78,11 +78,13 @@ fn columns_are_converted_and_keep_their_dimensions() {
     };
     let csv = "0,0\n90,-1.5\n180,4\n";
     let (parsed, _) = read("converted", csv, &keys("1000 kg/m * f(pi)"));
-    let system = compile(&parsed.model.unwrap(), &[]).unwrap().system;
+    let system = compile::<dalembert::space::Planar>(&parsed.model.unwrap(), &[])
+        .unwrap()
+        .system;
     assert!(system.mass.contains(&4.0), "{:?}", system.mass);
     for wrong in ["f(pi)", "1000 kg/m * f(1 s)"] {
         let (parsed, _) = read("converted", csv, &keys(wrong));
-        let mistakes = compile(&parsed.model.unwrap(), &[])
+        let mistakes = compile::<dalembert::space::Planar>(&parsed.model.unwrap(), &[])
             .map(|_| ())
             .unwrap_err();
         let codes: Vec<&str> = mistakes.0.iter().map(|d| d.code.as_str()).collect();
@@ -94,7 +96,10 @@ fn columns_are_converted_and_keep_their_dimensions() {
 fn a_wrong_unit_of_a_column_is_shown_once() {
     let (parsed, _) = read("wrong-unit", "0,0\n1,1\n2,4\n", "x_unit = \"degg\"\n");
     let model = parsed.model.unwrap();
-    let mistakes = compile(&model, &[]).map(|_| ()).unwrap_err().0;
+    let mistakes = compile::<dalembert::space::Planar>(&model, &[])
+        .map(|_| ())
+        .unwrap_err()
+        .0;
     let found: Vec<_> = mistakes
         .iter()
         .map(|d| (d.code.as_str(), d.path.as_str()))

@@ -100,7 +100,7 @@ fn what_follows_from_a_mistake_is_not_reported() {
 /// Codes after the findings of the engine are added.
 fn codes_with_engine(text: &str) -> Vec<String> {
     let mut parsed = parse_model(text, None);
-    let findings = match compile(parsed.draft.as_ref().unwrap(), &[]) {
+    let findings = match compile::<dalembert::space::Planar>(parsed.draft.as_ref().unwrap(), &[]) {
         Ok(compiled) => compiled.warnings,
         Err(errors) => errors.0,
     };

@@ -38,7 +38,8 @@ fn the_slider_crank_is_what_the_design_says() {
 fn the_engine_accepts_templates_and_assembles_them_near_their_estimates() {
     for template in templates() {
         let model = parse_model(template.text, None).model.unwrap();
-        let compiled = compile(&model, &[]).unwrap_or_else(|e| panic!("{}: {e}", template.name));
+        let compiled = compile::<dalembert::space::Planar>(&model, &[])
+            .unwrap_or_else(|e| panic!("{}: {e}", template.name));
         assert_eq!(compiled.warnings, [], "{}", template.name);
         let assembly = Assembly::default();
         let (_, report) = assembly
@@ -62,7 +63,7 @@ fn driven_templates_move_as_their_comments_say() {
         if model.drivers.is_empty() {
             continue;
         }
-        let compiled = compile(&model, &[]).unwrap();
+        let compiled = compile::<dalembert::space::Planar>(&model, &[]).unwrap();
         let run = Kinematics {
             instants: compiled.options.instants(),
             ..Kinematics::default()
@@ -106,7 +107,7 @@ fn free_templates_run_to_their_end() {
         if !model.drivers.is_empty() {
             continue;
         }
-        let compiled = compile(&model, &[]).unwrap();
+        let compiled = compile::<dalembert::space::Planar>(&model, &[]).unwrap();
         let run = Dynamics::new(&compiled.options)
             .run(&compiled.system, &mut |_| true)
             .unwrap();

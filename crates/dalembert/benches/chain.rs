@@ -47,7 +47,7 @@ fn chain(n: usize) -> Model {
 fn accelerations(c: &mut Criterion) {
     let mut group = c.benchmark_group("chain acceleration");
     for n in [10, 100, 1000, 10000] {
-        let Ok(compiled) = compile(&chain(n), &[]) else {
+        let Ok(compiled) = compile::<dalembert::space::Planar>(&chain(n), &[]) else {
             unreachable!("the chain is a valid model")
         };
         let system = compiled.system.running();

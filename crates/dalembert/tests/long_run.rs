@@ -33,7 +33,7 @@ fn slider_crank_keeps_energy_over_100_turns() {
         .push(moment("motor", "crank", "2 + 0.5*sin(20*t)"));
     model.analysis.end = Some(6.0.into());
     model.analysis.step = Some(0.01.into());
-    let compiled = compile(&model, &[]).expect("a valid model");
+    let compiled = compile::<dalembert::space::Planar>(&model, &[]).expect("a valid model");
     let run = Dynamics::new(&compiled.options)
         .run(&compiled.system, &mut |_| true)
         .expect("the machine runs");
@@ -62,7 +62,7 @@ fn baumgarte_agrees_with_projection() {
     model.analysis.end = Some(1.0.into());
     model.analysis.tolerance = Some(1e-10.into());
     let angle = |model: &dalembert::model::Model| {
-        let compiled = compile(model, &[]).expect("a valid model");
+        let compiled = compile::<dalembert::space::Planar>(model, &[]).expect("a valid model");
         let run = Dynamics::new(&compiled.options)
             .run(&compiled.system, &mut |_| true)
             .expect("the machine runs");

@@ -391,7 +391,7 @@ fn a_driven_slider_stops_at_the_dead_centre() {
         "value": format!("{x0:?} m + {:?} m * t / 1 s", (0.7 - x0) / 1.25)
     }))
     .unwrap();
-    let system = dalembert::system::compile::compile(&model, &[])
+    let system = dalembert::system::compile::compile::<dalembert::space::Planar>(&model, &[])
         .unwrap()
         .system;
     let (state, _) = Assembly::default().run(&system).unwrap();

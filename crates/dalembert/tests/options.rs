@@ -12,7 +12,10 @@ fn a_time_span_that_is_no_number_is_refused() {
         "analysis": { "start": -1e308, "end": 1e308 },
     });
     let model: Model = serde_json::from_value(model).unwrap();
-    let mistakes = compile(&model, &[]).map(|_| ()).unwrap_err().0;
+    let mistakes = compile::<dalembert::space::Planar>(&model, &[])
+        .map(|_| ())
+        .unwrap_err()
+        .0;
     let found: Vec<_> = mistakes
         .iter()
         .map(|d| (d.code.as_str(), d.path.as_str()))

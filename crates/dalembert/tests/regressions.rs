@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 fn compiled(model: Value) -> Compiled {
     let model: Model = serde_json::from_value(model).expect("a model");
-    compile(&model, &[]).unwrap_or_else(|e| panic!("{e}"))
+    compile::<dalembert::space::Planar>(&model, &[]).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn kinematics(compiled: &Compiled) -> Result<KinematicsRun, AnalysisError> {
@@ -187,7 +187,10 @@ fn a_gear_needs_three_different_bodies() {
             )
             .expect("a joint"),
         );
-        let errors = compile(&model, &[]).map(|_| ()).expect_err("a mistake").0;
+        let errors = compile::<dalembert::space::Planar>(&model, &[])
+            .map(|_| ())
+            .expect_err("a mistake")
+            .0;
         assert_eq!(errors.len(), 1, "{errors:?}");
         assert_eq!(errors[0].code, "same-body");
     }

@@ -13,7 +13,7 @@ fn pendulum(expression: &str) -> Compiled {
         "constraint": [{ "name": "stop", "kind": "expression", "expression": expression }],
     }))
     .expect("a model");
-    compile(&model, &[]).unwrap_or_else(|e| panic!("{expression}: {e}"))
+    compile::<dalembert::space::Planar>(&model, &[]).unwrap_or_else(|e| panic!("{expression}: {e}"))
 }
 
 #[test]

@@ -68,7 +68,7 @@ fn steps_allocate_nothing() {
         model
             .forces
             .push(moment("brake", "crank", "-0.01 N*m*s * crank.omega"));
-        let compiled = compile(&model, &[]).expect("a valid model");
+        let compiled = compile::<dalembert::space::Planar>(&model, &[]).expect("a valid model");
         let (state, _) = Assembly::default()
             .run(&compiled.system)
             .expect("it assembles");

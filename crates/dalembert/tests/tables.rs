@@ -17,11 +17,12 @@ fn model(mass: &str, parameters: Value, tables: Value) -> Model {
 }
 
 fn compiled(mass: &str, tables: Value) -> Compiled {
-    compile(&model(mass, json!({ "mm": 7 }), tables), &[]).unwrap_or_else(|e| panic!("{e:?}"))
+    compile::<dalembert::space::Planar>(&model(mass, json!({ "mm": 7 }), tables), &[])
+        .unwrap_or_else(|e| panic!("{e:?}"))
 }
 
 fn mistakes(mass: &str, parameters: Value, tables: Value) -> Vec<Diagnostic> {
-    let result = compile(&model(mass, parameters, tables), &[]);
+    let result = compile::<dalembert::space::Planar>(&model(mass, parameters, tables), &[]);
     result.map(|_| ()).expect_err("a mistake").0
 }
 
@@ -65,7 +66,7 @@ fn names_that_expressions_cannot_write_are_refused() {
     // Names of units and of measures are free.
     let fine = json!({ "m": 2, "_x1": 3, "sinus": 4, "T": 5 });
     assert!(
-        compile(
+        compile::<dalembert::space::Planar>(
             &model("m + _x1 + sinus + T + Phi(0)", fine, json!([table("Phi")])),
             &[]
         )

@@ -2,18 +2,22 @@
 
 use crate::arguments::CheckArgs;
 use crate::failure::Failure;
-use crate::load::load;
+use crate::load::{Loaded, in_its_space, load};
 use crate::summary;
 use dalembert::analysis::{
     AnalysisError, Assembly, Conflict, DriverSweep, Mobility, SweepOptions, conflicts,
     driver_singularities, missing_mass,
 };
 use dalembert::network::{Network, TerminalGraph};
+use dalembert::space::Space;
 use dalembert::system::State;
 
 /// Validates the model, assembles it and prints its mobility.
 pub fn run(args: &CheckArgs) -> Result<(), Failure> {
-    let loaded = load(&args.model, |_| {})?;
+    in_its_space!(load(&args.model, |_| {})?, loaded => check(args, &loaded))
+}
+
+fn check<S: Space>(args: &CheckArgs, loaded: &Loaded<S>) -> Result<(), Failure> {
     let system = &loaded.compiled.system;
     let (state, assembly) = match Assembly::default().run(system) {
         Ok(done) => done,
@@ -34,7 +38,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
             &state,
             &SweepOptions {
                 // A hundred poses a turn of the fastest body, within reason.
-                steps: turns(&state, loaded.compiled.options.end).clamp(400, 20_000),
+                steps: turns::<S>(&state, loaded.compiled.options.end).clamp(400, 20_000),
                 ..SweepOptions::until(loaded.compiled.options.end)
             },
         )?)
@@ -94,11 +98,10 @@ fn without_guess(error: AnalysisError, found: &[Conflict]) -> AnalysisError {
 }
 
 /// A hundred times the turns of the fastest body until the end, at its speed at the start.
-fn turns(state: &State, end: f64) -> usize {
-    let omega = state
-        .v
-        .chunks_exact(3)
-        .fold(0.0_f64, |a, v| a.max(v[2].abs()));
+fn turns<S: Space>(state: &State, end: f64) -> usize {
+    let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
+    let bodies = state.v.chunks_exact(S::NV);
+    let omega = bodies.fold(0.0_f64, |a, v| a.max(norm(&v[S::LINEAR..])));
     (100.0 * omega * (end - state.t) / std::f64::consts::TAU) as usize
 }
 

@@ -2,13 +2,17 @@
 
 use crate::arguments::{EquationsArgs, EquationsBasis, EquationsFrame};
 use crate::failure::Failure;
-use crate::load::{load, move_to};
+use crate::load::{Loaded, in_its_space, load, move_to};
 use crate::output::write_text;
 use dalembert::analysis::{Assembly, EquationBasis, Equations, ReferenceFrame};
+use dalembert::system::compile::ModelSpace;
 
 /// Prints the equations at the assembled start.
 pub fn run(args: &EquationsArgs) -> Result<(), Failure> {
-    let mut loaded = load(&args.model, |_| {})?;
+    in_its_space!(load(&args.model, |_| {})?, loaded => equations(args, loaded))
+}
+
+fn equations<S: ModelSpace>(args: &EquationsArgs, mut loaded: Loaded<S>) -> Result<(), Failure> {
     if let Some(time) = &args.time {
         move_to(&mut loaded, &args.model, time)?;
     }

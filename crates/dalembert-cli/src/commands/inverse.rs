@@ -2,18 +2,23 @@
 
 use crate::arguments::InverseArgs;
 use crate::failure::Failure;
-use crate::load::{EXACT, load_run, refuse};
+use crate::load::{EXACT, Loaded, in_its_space, load_run, refuse};
 use crate::summary;
 use dalembert::analysis::{Inverse, NewtonOptions};
+use dalembert::space::Space;
 
 /// Runs the inverse dynamics and prints its summary.
 pub fn run(args: &InverseArgs) -> Result<(), Failure> {
     refuse("inverse", &[(&args.run.tolerance, "--tolerance", EXACT)])?;
-    let loaded = load_run(&args.run)?;
+    in_its_space!(load_run(&args.run)?, loaded => inverse(args, &loaded))
+}
+
+fn inverse<S: Space>(args: &InverseArgs, loaded: &Loaded<S>) -> Result<(), Failure> {
     let options = &loaded.compiled.options;
     let analysis = Inverse {
         instants: options.instants(),
         newton: NewtonOptions::of(options),
+        orientation: options.orientation,
         actuators: if args.actuator.is_empty() {
             options.actuators.clone()
         } else {
@@ -21,5 +26,5 @@ pub fn run(args: &InverseArgs) -> Result<(), Failure> {
         },
     };
     let run = analysis.run(&loaded.compiled.system)?;
-    summary::report(&args.run, &loaded, run.results, &run.assembly, run.stopped)
+    summary::report(&args.run, loaded, run.results, &run.assembly, run.stopped)
 }

@@ -2,13 +2,17 @@
 
 use crate::arguments::NetworkArgs;
 use crate::failure::Failure;
-use crate::load::load;
+use crate::load::{Loaded, in_its_space, load};
 use crate::output::write_text;
 use dalembert::network::{Formulation, Network, SpanningTree, TerminalGraph};
+use dalembert::space::Space;
 
 /// Prints the graph, its trees, cut-sets and circuits, and the size of each formulation.
 pub fn run(args: &NetworkArgs) -> Result<(), Failure> {
-    let loaded = load(&args.model, |_| {})?;
+    in_its_space!(load(&args.model, |_| {})?, loaded => network(args, &loaded))
+}
+
+fn network<S: Space>(args: &NetworkArgs, loaded: &Loaded<S>) -> Result<(), Failure> {
     let network = Network::new(&loaded.compiled.system.running(), TerminalGraph::default());
     let trees: Vec<SpanningTree> = [Formulation::Absolute, Formulation::Joint]
         .into_iter()

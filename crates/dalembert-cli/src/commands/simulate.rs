@@ -2,14 +2,18 @@
 
 use crate::arguments::RunArgs;
 use crate::failure::Failure;
-use crate::load::load_run;
+use crate::load::{Loaded, in_its_space, load_run};
 use crate::summary;
 use dalembert::analysis::Dynamics;
+use dalembert::space::Space;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Runs the simulation and prints its summary.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
-    let loaded = load_run(args)?;
+    in_its_space!(load_run(args)?, loaded => simulate(args, &loaded))
+}
+
+fn simulate<S: Space>(args: &RunArgs, loaded: &Loaded<S>) -> Result<(), Failure> {
     let options = &loaded.compiled.options;
     let (start, end) = (options.start, options.end);
     let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr_with_hz(4));
@@ -22,5 +26,5 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         true
     })?;
     bar.finish_and_clear();
-    summary::report(args, &loaded, run.results, &run.assembly, run.stopped)
+    summary::report(args, loaded, run.results, &run.assembly, run.stopped)
 }

@@ -2,11 +2,12 @@
 
 use crate::arguments::{StaticsArgs, StaticsRoute};
 use crate::failure::Failure;
-use crate::load::{EXACT, Loaded, load_run, refuse};
+use crate::load::{EXACT, Loaded, in_its_space, load_run, refuse};
 use crate::{output, summary};
 use dalembert::analysis::{
     Assembly, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown, holding_loads,
 };
+use dalembert::space::Space;
 use dalembert::words::counted;
 
 /// Finds the equilibria, or the loads that hold the machine in its pose.
@@ -27,7 +28,10 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
             (&args.run.tolerance, "--tolerance", EXACT),
         ],
     )?;
-    let loaded = load_run(&args.run)?;
+    in_its_space!(load_run(&args.run)?, loaded => statics(args, &loaded))
+}
+
+fn statics<S: Space>(args: &StaticsArgs, loaded: &Loaded<S>) -> Result<(), Failure> {
     let system = &loaded.compiled.system;
     if !args.hold.is_empty() || !args.hold_force.is_empty() {
         let (mut state, _) = Assembly::default().run(system)?;
@@ -39,8 +43,8 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
             .chain(args.hold_force.iter().map(|n| Unknown::Force(n.clone())))
             .collect();
         let loads = holding_loads(system, &state, &unknowns)?;
-        let written = output::write_all(&args.run, &loaded, &loads.results)?;
-        print_loads(args, &loaded, &loads);
+        let written = output::write_all(&args.run, loaded, &loads.results)?;
+        print_loads(args, loaded, &loads);
         if !written.is_empty() && !args.run.model.json {
             say!("{}", summary::files(&written));
         }
@@ -52,10 +56,11 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
             StaticsRoute::Multipliers => Route::Multipliers,
         },
         starts: args.starts,
+        orientation: loaded.compiled.options.orientation,
         ..Statics::default()
     };
     let report = analysis.run(system)?;
-    let written = output::write_all(&args.run, &loaded, &report.results)?;
+    let written = output::write_all(&args.run, loaded, &report.results)?;
     if args.run.model.json {
         say!("{:#}", loaded.with_warnings(serde_json::json!(report)));
     } else {
@@ -67,7 +72,7 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn print_loads(args: &StaticsArgs, loaded: &Loaded, loads: &HoldingLoads) {
+fn print_loads<S: Space>(args: &StaticsArgs, loaded: &Loaded<S>, loads: &HoldingLoads) {
     if args.run.model.json {
         say!("{:#}", loaded.with_warnings(serde_json::json!(loads)));
         return;

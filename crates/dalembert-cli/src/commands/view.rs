@@ -2,9 +2,10 @@
 
 use crate::arguments::{RunArgs, ViewAnalysis, ViewArgs};
 use crate::failure::Failure;
-use crate::load::{beside, load_run};
+use crate::load::{Loaded, beside, in_its_space, load_run};
 use crate::summary;
 use dalembert::analysis::{AnalysisError, Dynamics, Kinematics};
+use dalembert::space::Space;
 
 /// Runs the machine, writes the page and prints the summary of the run.
 pub fn run(args: &ViewArgs) -> Result<(), Failure> {
@@ -18,7 +19,10 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
         html: Some(page),
         ..args.run.clone()
     };
-    let loaded = load_run(&args_with_page)?;
+    in_its_space!(load_run(&args_with_page)?, loaded => view(args, &args_with_page, &loaded))
+}
+
+fn view<S: Space>(args: &ViewArgs, with_page: &RunArgs, loaded: &Loaded<S>) -> Result<(), Failure> {
     let system = &loaded.compiled.system;
     let options = &loaded.compiled.options;
     let kinematics = Kinematics::new(options);
@@ -41,5 +45,5 @@ pub fn run(args: &ViewArgs) -> Result<(), Failure> {
         },
         ViewAnalysis::Auto => dynamics()?,
     };
-    summary::report(&args_with_page, &loaded, results, &assembly, stopped)
+    summary::report(with_page, loaded, results, &assembly, stopped)
 }

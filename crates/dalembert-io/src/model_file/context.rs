@@ -2,6 +2,7 @@
 
 use super::names::{NameOf, Reference};
 use dalembert::diagnostic::Diagnostic;
+use dalembert::model::SpaceKind;
 use std::cell::{Cell, RefCell};
 use std::path::Path;
 
@@ -41,6 +42,15 @@ impl<'a> Context<'a> {
             references: RefCell::default(),
             key_paths: RefCell::default(),
             aliases: RefCell::default(),
+        }
+    }
+
+    /// The space of the model.
+    pub fn space(&self) -> SpaceKind {
+        if self.dimension.get() == 2 {
+            SpaceKind::Planar
+        } else {
+            SpaceKind::Spatial
         }
     }
 

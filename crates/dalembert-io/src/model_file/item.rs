@@ -5,7 +5,7 @@ use super::listed::listed;
 use super::names::{Reference, Section};
 use super::table_reader::TableReader;
 use dalembert::diagnostic::Diagnostic;
-use dalembert::model::{Point, Value};
+use dalembert::model::{Point, SpaceKind, Value};
 use dalembert_expr::nearest;
 use std::rc::Rc;
 use toml::de::DeValue;
@@ -147,12 +147,22 @@ impl<'a> Item<'a> {
 
     /// One of a few words.
     pub fn choice<T: Copy>(&self, choices: &[(&'static str, T)]) -> Option<T> {
+        self.choice_of(choices, &[])
+    }
+
+    /// One of a few words; those of the other space are read too, but not offered.
+    pub fn choice_of<T: Copy>(
+        &self,
+        choices: &[(&'static str, T)],
+        foreign: &[(&'static str, T)],
+    ) -> Option<T> {
         let words = || choices.iter().map(|(word, _)| *word);
         let DeValue::String(text) = self.value else {
             self.wrong_type(&format!("one of {}", listed(words())));
             return None;
         };
-        let found = choices.iter().find(|(word, _)| *word == text.as_ref());
+        let mut all = choices.iter().chain(foreign);
+        let found = all.find(|(word, _)| *word == text.as_ref());
         if found.is_none() {
             self.error(
                 "unknown-word",
@@ -190,21 +200,74 @@ impl<'a> Item<'a> {
     /// A point or vector with as many components as the space has; placeholders stand for
     /// components that cannot be read.
     pub fn point(&self) -> Option<Point> {
-        let expected = self.context.dimension.get();
+        let help = match self.context.space() {
+            SpaceKind::Planar => "write [x, y]: the model is planar",
+            SpaceKind::Spatial => "write [x, y, z]",
+        };
+        self.components(self.context.dimension.get(), help)
+    }
+
+    /// A direction in the plane, whatever the space of the model.
+    pub fn planar_direction(&self) -> Option<Point> {
+        match self.context.space() {
+            SpaceKind::Planar => self.point(),
+            SpaceKind::Spatial => self.components(2, "write [x, y]"),
+        }
+    }
+
+    /// A direction in space, whatever the space of the model.
+    pub fn axis(&self) -> Option<Point> {
+        self.components(3, "write [x, y, z]")
+    }
+
+    fn components(&self, expected: usize, help: &str) -> Option<Point> {
         let entries = self.entries(&format!("a list of {expected} numbers"))?;
         if entries.len() != expected {
-            let help = if expected == 2 {
-                "write [x, y]: the model is planar"
-            } else {
-                "write [x, y, z]"
-            };
             self.wrong_length(&expected.to_string(), entries.len(), help);
         }
         self.values()
     }
 
+    /// As many numbers as are asked for; `help` says how they are written.
+    pub fn numbers<const N: usize>(&self, help: &str) -> Option<[Value; N]> {
+        self.components(N, help)?.try_into().ok()
+    }
+
+    /// Three rows of three numbers.
+    pub fn rows(&self, help: &str) -> Option<[[Value; 3]; 3]> {
+        let entries = self.entries("a list of 3 rows")?;
+        let rows: Vec<[Value; 3]> = entries
+            .iter()
+            .map(|row| row.numbers(help).unwrap_or_default())
+            .collect();
+        if entries.len() != 3 {
+            self.wrong_length("3", entries.len(), help);
+        }
+        rows.try_into().ok()
+    }
+
     /// One point in the frame of each of two bodies; a single point is one mistake.
     pub fn two_points(&self) -> Option<[Point; 2]> {
+        let (text, one) = match self.context.space() {
+            SpaceKind::Planar => ("[[x, y], [x, y]]", "the point [x, y]"),
+            SpaceKind::Spatial => ("[[x, y, z], [x, y, z]]", "the point [x, y, z]"),
+        };
+        self.two_lists("two points", text, one, Item::point)
+    }
+
+    /// One axis in the frame of each of two bodies; a single axis is one mistake.
+    pub fn two_axes(&self) -> Option<[Point; 2]> {
+        let text = "[[x, y, z], [x, y, z]]";
+        self.two_lists("two axes", text, "the axis [x, y, z]", Item::axis)
+    }
+
+    fn two_lists(
+        &self,
+        what: &str,
+        text: &str,
+        one: &str,
+        read: impl Fn(&Item<'a>) -> Option<Point>,
+    ) -> Option<[Point; 2]> {
         let plain = |entry: &toml::Spanned<DeValue<'_>>| {
             matches!(
                 entry.get_ref(),
@@ -213,19 +276,14 @@ impl<'a> Item<'a> {
         };
         match self.value {
             DeValue::Array(array) if !array.is_empty() && array.iter().all(plain) => {
-                let (text, help) = if self.context.dimension.get() == 2 {
-                    ("[[x, y], [x, y]]", "[x, y]")
-                } else {
-                    ("[[x, y, z], [x, y, z]]", "[x, y, z]")
-                };
                 self.error(
                     "wrong-type",
-                    &format!("expected two points, {text}, found one"),
-                    format!("write {text}: the point {help} in the frame of each body"),
+                    &format!("expected {what}, {text}, found one"),
+                    format!("write {text}: {one} in the frame of each body"),
                 );
                 None
             }
-            _ => self.pair(Item::point),
+            _ => self.pair(read),
         }
     }
 

@@ -1,12 +1,12 @@
 //! Other words for kinds of elements, which help texts understand.
 
-/// The kind that a word from elsewhere usually means.
-pub(super) fn other_word(word: &str) -> Option<&'static str> {
+/// The kinds that a word from elsewhere usually means, in different kinds of elements.
+pub(super) fn other_words(word: &str) -> impl Iterator<Item = &'static str> {
     let word = word.to_lowercase();
-    let found = WORDS
+    WORDS
         .iter()
-        .find(|(words, _)| words.contains(&word.as_str()));
-    found.map(|(_, kind)| *kind)
+        .filter(move |(words, _)| words.contains(&word.as_str()))
+        .map(|(_, kind)| *kind)
 }
 
 /// Words in lower case, and the kind of joint, force, driver or shape.
@@ -21,6 +21,21 @@ const WORDS: &[(&[&str], &str)] = &[
     ),
     (&["fixed", "rigid", "welded"], "weld"),
     (&["link", "rod"], "distance"),
+    (
+        &["ball", "ball-joint", "ball-and-socket", "socket"],
+        "spherical",
+    ),
+    (&["cardan", "hooke", "u-joint", "gimbal"], "universal"),
+    (&["cv", "cv-joint", "homokinetic"], "constant-velocity"),
+    (&["sleeve"], "cylindrical"),
+    (&["helical", "thread"], "screw"),
+    (&["plane"], "planar"),
+    (&["bevel-gear", "worm"], "gear-pair"),
+    (&["ball"], "sphere"),
+    (&["cuboid", "block", "brick"], "box"),
+    (&["pipe"], "tube"),
+    (&["disc"], "disk"),
+    (&["stl", "obj"], "mesh"),
     (&["slot"], "pin-slot"),
     (&["gears"], "gear"),
     (&["spring", "damper"], "spring-damper"),

@@ -2,12 +2,12 @@
 
 use super::context::Context;
 use super::item::{Item, Place, did_you_mean};
-use super::kind_words::other_word;
+use super::kind_words::other_words;
 use super::listed::listed;
 use super::names::{NameOf, Section, is_bad_name};
 use super::source_map::child;
 use dalembert::diagnostic::Diagnostic;
-use dalembert::model::{Point, Value};
+use dalembert::model::{Point, SpaceKind, Value};
 use dalembert_expr::nearest;
 use toml::de::{DeTable, DeValue};
 
@@ -18,7 +18,12 @@ pub(super) struct TableReader<'a> {
     table: &'a DeTable<'a>,
     place: Place,
     asked: Vec<&'static str>,
+    /// Keys that the other space has: known, but not offered.
+    foreign_keys: Vec<&'static str>,
     missing: Vec<&'static str>,
+    /// Does the kind of the element belong to the other space? That is the mistake then; what such
+    /// an element needs is not said.
+    foreign: bool,
 }
 
 impl<'a> TableReader<'a> {
@@ -29,6 +34,8 @@ impl<'a> TableReader<'a> {
             table,
             place,
             asked: Vec::new(),
+            foreign_keys: Vec::new(),
+            foreign: false,
             missing: Vec::new(),
         }
     }
@@ -48,6 +55,10 @@ impl<'a> TableReader<'a> {
         if !self.asked.contains(&key) {
             self.asked.push(key);
         }
+        self.value_of(key)
+    }
+
+    fn value_of(&self, key: &str) -> Option<Item<'a>> {
         let value = self.table.get(key)?;
         Some(Item {
             context: self.context,
@@ -71,6 +82,21 @@ impl<'a> TableReader<'a> {
         read: impl FnOnce(&Item<'a>) -> Option<T>,
     ) -> Option<T> {
         read(&self.item(key)?)
+    }
+
+    /// A key that only one space has, and that may be left out. In the other space it is read all
+    /// the same: the engine says that it does not belong there.
+    pub fn of_space<T>(
+        &mut self,
+        space: SpaceKind,
+        key: &'static str,
+        read: impl FnOnce(&Item<'a>) -> Option<T>,
+    ) -> Option<T> {
+        if space == self.context.space() {
+            return self.optional(key, read);
+        }
+        self.foreign_keys.push(key);
+        read(&self.value_of(key)?)
     }
 
     /// A key that must be there; `None` after a mistake, which is reported.
@@ -165,6 +191,16 @@ impl<'a> TableReader<'a> {
     /// After a mistake of spelling it is the nearest one. `None` says that nothing is known of the
     /// kind.
     pub fn kind<T: Copy>(&mut self, kinds: &[(&'static str, T)]) -> Option<T> {
+        self.kind_of(kinds, &[])
+    }
+
+    /// The `kind` of an element of which the spaces have different kinds: those of this space, and
+    /// those of the other, which the engine refuses.
+    pub fn kind_of<T: Copy>(
+        &mut self,
+        kinds: &[(&'static str, T)],
+        foreign: &[(&'static str, T)],
+    ) -> Option<T> {
         let Some(item) = self.item("kind") else {
             let allowed = listed(kinds.iter().map(|(word, _)| *word));
             let message = self.place.message("the key `kind` is missing");
@@ -178,11 +214,15 @@ impl<'a> TableReader<'a> {
             item.wrong_type("a text");
             return None;
         };
+        if let Some((_, kind)) = foreign.iter().find(|(kind, _)| kind == word) {
+            self.foreign = true;
+            return Some(*kind);
+        }
         let of = |word: &str| kinds.iter().find(|(kind, _)| *kind == word);
         let mut found = of(word);
         if found.is_none() {
             let words = || kinds.iter().map(|(kind, _)| *kind);
-            let meant = other_word(word).filter(|kind| words().any(|k| k == *kind));
+            let meant = other_words(word).find(|kind| words().any(|k| k == *kind));
             let help = match meant {
                 Some(kind) => format!("write `{kind}`; allowed here: {}", listed(words())),
                 None => did_you_mean(word, words()),
@@ -197,6 +237,9 @@ impl<'a> TableReader<'a> {
 
     /// Reports a wrong combination of keys; `key` is where the diagnostic points if it is there.
     pub fn combination(&self, key: &str, text: &str, help: &str) {
+        if self.foreign {
+            return;
+        }
         let path = if self.has(key) {
             child(&self.place.path, key)
         } else {
@@ -218,7 +261,8 @@ impl<'a> TableReader<'a> {
         let mut misspelt = Vec::new();
         for (key, _) in self.table.iter() {
             let key = key.get_ref();
-            if self.asked.contains(&key.as_ref()) {
+            let known = |keys: &[&str]| keys.contains(&key.as_ref());
+            if known(&self.asked) || known(&self.foreign_keys) {
                 continue;
             }
             let free = self
@@ -237,6 +281,9 @@ impl<'a> TableReader<'a> {
                 Diagnostic::error("unknown-key", path, message)
                     .help(did_you_mean(key, self.asked.iter().copied())),
             );
+        }
+        if self.foreign {
+            missing.clear();
         }
         for key in missing {
             let message = self.place.message(&format!("the key `{key}` is missing"));

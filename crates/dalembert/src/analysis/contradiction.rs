@@ -3,7 +3,7 @@
 use super::AnalysisError;
 use super::mobility::conflicts;
 use super::weights::Weights;
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{State, System, Workspace};
 
 /// Parts of the time left at which the rows are looked at, the nearest first.
@@ -11,8 +11,8 @@ const AHEAD: [f64; 4] = [1e-3, 1e-2, 1e-1, 1.0];
 
 /// The error behind a run that stopped after a good state, where it is a contradiction: rows that depend on each other
 /// in this pose, several drivers among them, ask for different motions from here on.
-pub(super) fn contradiction(
-    system: &System<Planar>,
+pub(super) fn contradiction<S: Space>(
+    system: &System<S>,
     good: &State,
     end: f64,
 ) -> Option<AnalysisError> {
@@ -29,7 +29,7 @@ pub(super) fn contradiction(
             .into_iter()
             .find_map(|found| {
                 let all = [&found.elements[..], &found.through].concat();
-                let among = |e: &crate::system::ElementData<Planar>| all.contains(&e.name);
+                let among = |e: &crate::system::ElementData<S>| all.contains(&e.name);
                 // In the order of the model.
                 let names = system.elements.iter().filter(|e| among(e));
                 let names: Vec<&str> = names.map(|e| e.name.as_str()).collect();
@@ -45,7 +45,7 @@ pub(super) fn contradiction(
 }
 
 /// Are the rows dependent at a state?
-fn dependent(system: &System<Planar>, state: &State) -> bool {
+fn dependent<S: Space>(system: &System<S>, state: &State) -> bool {
     let mut ws = Workspace::new(system);
     system.update_markers(&state.q, &state.v, &mut ws);
     system.evaluate_constraints(state.t, &mut ws);

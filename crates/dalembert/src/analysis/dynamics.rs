@@ -12,7 +12,8 @@ use super::{AnalysisError, Assembly, AssemblyReport, Motion};
 use crate::integrate::{Dopri5, Ode, StepError};
 use crate::model::Stabilization;
 use crate::results::Results;
-use crate::space::Planar;
+use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::compile::Options;
 use crate::system::{State, System};
 
@@ -33,6 +34,8 @@ pub struct Dynamics {
     pub baumgarte: [f64; 2],
     /// Newton's options of the assembly.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 /// What a run did.
@@ -59,6 +62,7 @@ impl Dynamics {
             stabilization: options.stabilization,
             baumgarte: options.baumgarte,
             newton: NewtonOptions::of(options),
+            orientation: options.orientation,
         }
     }
 
@@ -67,9 +71,9 @@ impl Dynamics {
     ///
     /// # Errors
     /// The machine cannot be assembled, or its accelerations cannot be computed at the start.
-    pub fn run(
+    pub fn run<S: Space>(
         &self,
-        system: &System<Planar>,
+        system: &System<S>,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<DynamicsReport, AnalysisError> {
         let (mut state, assembly) = Assembly {
@@ -102,7 +106,7 @@ impl Dynamics {
         motion.passed(start)?;
         let start_energy = motion.energy(start, &y);
         let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
-        let mut recorder = Recorder::new(true);
+        let mut recorder = Recorder::new(true).with_orientation(self.orientation);
         let mut least = LeastReactions::new(&running);
         let mut open = OpenReactions::default();
         let (mut steps, mut rejected) = (0_usize, 0_usize);
@@ -204,12 +208,12 @@ impl Dynamics {
 
 impl Dynamics {
     /// Why a run ends before its last instant for want of steps.
-    fn out_of_steps(
+    fn out_of_steps<S: Space>(
         &self,
         pace: &Pace,
         integrator: &Dopri5,
         steps: usize,
-        motion: &mut Motion<'_>,
+        motion: &mut Motion<'_, S>,
     ) -> AnalysisError {
         let limits = Limits {
             max_step: self.max_step,

@@ -26,6 +26,18 @@ pub enum AnalysisError {
         /// Constraints that contradict each other, in words; empty where none was found.
         conflict: String,
     },
+    /// The rows of joints hold, but with axes that point against each other.
+    #[error(
+        "the machine came together wrongly at t = {} s: the axes of {elements} point against each other; turn the estimates \
+         of their bodies nearer to the pose that is meant, or reverse an axis",
+        readable(*time)
+    )]
+    WrongSide {
+        /// Time [s].
+        time: f64,
+        /// The joints, in words.
+        elements: String,
+    },
     /// The machine can still move although its motion should be given by drivers.
     #[error(
         "the machine is not driven in every freedom: {} free ({}{names}); add drivers or use simulate",

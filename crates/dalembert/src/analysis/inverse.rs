@@ -4,7 +4,8 @@ use super::AnalysisError;
 use super::kinematics::{Kinematics, KinematicsRun};
 use super::newton::NewtonOptions;
 use crate::joint::{MeasureRow, MeasureRows, TimeFunction};
-use crate::space::Planar;
+use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::{ElementData, Role, System};
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
@@ -17,6 +18,8 @@ pub struct Inverse {
     pub instants: Vec<f64>,
     /// Newton's options.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
     /// Joints that have the actuators; empty: the drivers themselves.
     pub actuators: Vec<String>,
 }
@@ -26,10 +29,11 @@ impl Inverse {
     ///
     /// # Errors
     /// As for the kinematic analysis; and where the actuators cannot produce the motion.
-    pub fn run(&self, system: &System<Planar>) -> Result<KinematicsRun, AnalysisError> {
+    pub fn run<S: Space>(&self, system: &System<S>) -> Result<KinematicsRun, AnalysisError> {
         let kinematics = Kinematics {
             instants: self.instants.clone(),
             newton: self.newton,
+            orientation: self.orientation,
         };
         let mut run = if self.actuators.is_empty() {
             kinematics.run(system)?
@@ -44,14 +48,9 @@ impl Inverse {
 
 /// The running system with its drivers replaced by unit rows along the coordinates of joints: their
 /// multipliers are the actuators' efforts.
-fn actuated(system: &System<Planar>, joints: &[String]) -> Result<System<Planar>, AnalysisError> {
+fn actuated<S: Space>(system: &System<S>, joints: &[String]) -> Result<System<S>, AnalysisError> {
     let running = system.running();
-    let needed = running
-        .elements
-        .iter()
-        .filter(|e| e.role == Role::Driver)
-        .map(|e| e.rows.len())
-        .sum();
+    let needed = running.drivers().map(|e| e.rows.len()).sum();
     if needed != joints.len() {
         return Err(AnalysisError::ActuatorCount {
             given: joints.len(),
@@ -79,10 +78,7 @@ fn actuated(system: &System<Planar>, joints: &[String]) -> Result<System<Planar>
             role: Role::Driver,
             kind: "actuator".to_owned(),
             path: joint.path.clone(),
-            element: Arc::new(MeasureRows {
-                markers: joint.markers.len(),
-                rows: smallvec![row],
-            }),
+            element: Arc::new(MeasureRows::new(joint.markers.len(), smallvec![row])),
             coordinates: smallvec![coordinate.clone()],
             auxiliary_start: SmallVec::new(),
             ..joint.clone()
@@ -91,7 +87,7 @@ fn actuated(system: &System<Planar>, joints: &[String]) -> Result<System<Planar>
     Ok(running.replace_elements(|e| e.role != Role::Driver, actuators))
 }
 
-fn bad_joint(system: &System<Planar>, name: &str, what: &str) -> AnalysisError {
+fn bad_joint<S: Space>(system: &System<S>, name: &str, what: &str) -> AnalysisError {
     let usable: Vec<&str> = system
         .elements
         .iter()

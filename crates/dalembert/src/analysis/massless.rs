@@ -2,7 +2,7 @@
 
 use super::AnalysisError;
 use crate::formulation::{FormulationError, column_scale, general};
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{Metric, System, Workspace};
 use crate::words::listed;
 
@@ -15,14 +15,14 @@ const WITHOUT_END: f64 = 1e10;
 ///
 /// # Errors
 /// A coordinate that neither mass nor constraint holds.
-pub(super) fn check(
-    system: &System<Planar>,
-    ws: &mut Workspace<Planar>,
+pub(super) fn check<S: Space>(
+    system: &System<S>,
+    ws: &mut Workspace<S>,
     metric: &mut Metric,
 ) -> Result<(), AnalysisError> {
     let mut force = vec![0.0; system.nv()];
     for (k, force) in force[..system.body_nv()].iter_mut().enumerate() {
-        let at = 3 * k + k % 3;
+        let at = S::NV * k + k % S::NV;
         if system.mass[at] == 0.0 {
             // No special direction: no two coordinates cancel.
             *force = metric.blocks[at] * (1.0 + k as f64).sin();
@@ -52,9 +52,9 @@ pub(super) fn check(
 ///
 /// # Errors
 /// A coordinate that neither mass nor constraint holds.
-pub(super) fn dense(
-    system: &System<Planar>,
-    ws: &mut Workspace<Planar>,
+pub(super) fn dense<S: Space>(
+    system: &System<S>,
+    ws: &mut Workspace<S>,
 ) -> Result<(), AnalysisError> {
     match general(system, ws) {
         Err(FormulationError::Massless { coordinates }) => {
@@ -70,7 +70,7 @@ pub(super) fn dense(
 }
 
 /// A warning about bodies that were lent inertia during a run.
-pub(super) fn note(system: &System<Planar>, metric: &Metric) -> Option<String> {
+pub(super) fn note<S: Space>(system: &System<S>, metric: &Metric) -> Option<String> {
     let names: Vec<&str> = metric
         .borrowers()
         .map(|b| system.bodies[b].name.as_str())

@@ -2,9 +2,10 @@
 
 use super::AnalysisError;
 use crate::joint::Measure;
-use crate::space::{Planar, PlanarMarker};
+use crate::space::{Space, spread};
 use crate::system::{State, System, Workspace};
-use nalgebra::Vector2;
+use nalgebra::Vector3;
+use std::marker::PhantomData;
 
 /// Distance, relative to the machine's size, at which the points of a constraint have met: the
 /// direction has lost half of its digits there.
@@ -16,25 +17,27 @@ const PASSED: f64 = 1e-9;
 
 /// The elements of a system that act along the line between two points.
 #[derive(Clone, Debug)]
-pub(super) struct Meeting {
+pub(super) struct Meeting<S: Space> {
     /// Elements and their pairs of markers.
     constraints: Vec<(usize, [usize; 2])>,
     forces: Vec<(usize, [usize; 2])>,
     /// From the first to the second point of each force at the last state.
-    last: Vec<Vector2<f64>>,
+    last: Vec<Vector3<f64>>,
+    space: PhantomData<S>,
 }
 
-impl Meeting {
+impl<S: Space> Meeting<S> {
     /// Collects the pairs of points of a system.
-    pub fn new(system: &System<Planar>) -> Self {
-        let pairs = |markers: &[usize], list: Vec<Measure>| -> Vec<[usize; 2]> {
-            let pair = |m: &Measure| [markers[m.first], markers[m.second]];
+    pub fn new(system: &System<S>) -> Self {
+        let pairs = |markers: &[usize], list: Vec<Measure<S>>| -> Vec<[usize; 2]> {
+            let pair = |m: &Measure<S>| [markers[m.first], markers[m.second]];
             list.iter().map(pair).collect()
         };
         let mut found = Self {
             constraints: Vec::new(),
             forces: Vec::new(),
             last: Vec::new(),
+            space: PhantomData,
         };
         for (k, e) in system.elements.iter().enumerate() {
             let own = pairs(&e.markers, e.element.distances());
@@ -53,8 +56,8 @@ impl Meeting {
     /// [`AnalysisError::NoDirection`].
     pub fn check(
         &self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         t: f64,
     ) -> Result<(), AnalysisError> {
         for (number, pair) in &self.constraints {
@@ -77,8 +80,8 @@ impl Meeting {
     /// [`AnalysisError::NoDirection`].
     pub fn step(
         &mut self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         t: f64,
     ) -> Result<(), AnalysisError> {
         for (k, (number, pair)) in self.forces.iter().enumerate() {
@@ -91,7 +94,7 @@ impl Meeting {
             // The foot of the perpendicular from zero lies between the ends.
             let passed = before.dot(&way) < 0.0
                 && now.dot(&way) > 0.0
-                && before.perp(&now).abs() <= PASSED * system.size * way.norm();
+                && before.cross(&now).norm() <= PASSED * system.size * way.norm();
             *before = now;
             if passed && pulls(system, ws, *number, t) {
                 return Err(of_force(system, *number, t));
@@ -104,8 +107,8 @@ impl Meeting {
     /// a machine ends there.
     pub fn ahead(
         &self,
-        system: &System<Planar>,
-        ws: &mut Workspace<Planar>,
+        system: &System<S>,
+        ws: &mut Workspace<S>,
         state: &State,
         horizon: f64,
     ) -> Option<AnalysisError> {
@@ -115,7 +118,7 @@ impl Meeting {
         system.update_markers(&state.q, &state.v, ws);
         let found = self.constraints.iter().find(|(_, pair)| {
             let d = between(ws, *pair);
-            let [a, b] = pair.map(|m| ws.markers[m].velocity);
+            let [a, b] = pair.map(|m| spread::<S>(&S::twist(&ws.markers[m]))[0]);
             let approach = -d.dot(&(b - a)) / d.norm();
             d.norm() <= CONSTRAINT * system.size || d.norm() <= approach * horizon
         });
@@ -123,18 +126,18 @@ impl Meeting {
     }
 }
 
-fn between(ws: &Workspace<Planar>, pair: [usize; 2]) -> Vector2<f64> {
-    ws.markers[pair[1]].point - ws.markers[pair[0]].point
+fn between<S: Space>(ws: &Workspace<S>, pair: [usize; 2]) -> Vector3<f64> {
+    let [a, b] = pair.map(|m| Vector3::from(S::point(&ws.markers[m])));
+    b - a
 }
 
 /// Does a force element pull although its points coincide?
-fn pulls(system: &System<Planar>, ws: &Workspace<Planar>, number: usize, t: f64) -> bool {
+fn pulls<S: Space>(system: &System<S>, ws: &Workspace<S>, number: usize, t: f64) -> bool {
     let f = &system.forces[number];
-    let markers: Vec<PlanarMarker> = f.markers.iter().map(|&m| ws.markers[m]).collect();
-    f.element.pulls_at_zero(t, &markers)
+    f.element.pulls_at_zero(t, &ws.seen(&f.markers))
 }
 
-fn of_constraint(system: &System<Planar>, number: usize, time: f64) -> AnalysisError {
+fn of_constraint<S: Space>(system: &System<S>, number: usize, time: f64) -> AnalysisError {
     let e = &system.elements[number];
     AnalysisError::NoDirection {
         element: format!("'{}' ({})", e.name, e.kind),
@@ -143,7 +146,7 @@ fn of_constraint(system: &System<Planar>, number: usize, time: f64) -> AnalysisE
     }
 }
 
-fn of_force(system: &System<Planar>, number: usize, time: f64) -> AnalysisError {
+fn of_force<S: Space>(system: &System<S>, number: usize, time: f64) -> AnalysisError {
     let f = &system.forces[number];
     AnalysisError::NoDirection {
         element: format!("'{}' ({})", f.name, f.kind),

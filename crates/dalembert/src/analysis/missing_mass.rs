@@ -1,11 +1,11 @@
 //! A note on bodies without mass: nothing loads a machine there.
 
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::System;
 use crate::words::listed;
 
 /// What a user must know of bodies without mass before trusting forces; `None` where all have some.
-pub fn missing_mass(system: &System<Planar>) -> Option<String> {
+pub fn missing_mass<S: Space>(system: &System<S>) -> Option<String> {
     let without: Vec<&str> = system
         .bodies
         .iter()

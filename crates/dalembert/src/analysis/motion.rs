@@ -7,7 +7,7 @@ use super::stiffest::{Stiffest, jumping, stiffest};
 use super::{AnalysisError, Dynamics};
 use crate::integrate::{Dopri5, Ode};
 use crate::model::Stabilization;
-use crate::space::Planar;
+use crate::space::{Space, Tuple};
 use crate::system::{Metric, State, System, Workspace};
 
 /// Residual above which a machine with massless bodies is solved densely: long rows of massless bodies refine slowly, but
@@ -16,11 +16,12 @@ const POOR: f64 = 1e-8;
 
 /// The equations of motion as an ordinary differential equation in (q, v, work).
 #[derive(Debug)]
-pub struct Motion<'a> {
-    system: &'a System<Planar>,
+pub struct Motion<'a, S: Space> {
+    system: &'a System<S>,
     /// The workspace of the last evaluation.
-    pub ws: Workspace<Planar>,
+    pub ws: Workspace<S>,
     baumgarte: Option<[f64; 2]>,
+    /// The fastest linear and angular speeds so far.
     speed: [f64; 2],
     /// Violation found by the last projection, before it.
     pub drift: f64,
@@ -29,14 +30,14 @@ pub struct Motion<'a> {
     rate: Vec<f64>,
     zero: Vec<f64>,
     tolerance: f64,
-    meeting: Meeting,
+    meeting: Meeting<S>,
     /// Masses as the solver sees them, and metric of the projections.
     pub(super) metric: Metric,
 }
 
-impl<'a> Motion<'a> {
+impl<'a, S: Space> Motion<'a, S> {
     /// The motion of a system.
-    pub fn new(system: &'a System<Planar>, options: &Dynamics) -> Self {
+    pub fn new(system: &'a System<S>, options: &Dynamics) -> Self {
         Self {
             system,
             ws: Workspace::new(system),
@@ -163,10 +164,11 @@ impl<'a> Motion<'a> {
             };
         }
         let guilty = system.forces.iter().find(|f| {
-            let markers: Vec<_> = f.markers.iter().map(|&m| self.ws.markers[m]).collect();
-            let mut w = vec![nalgebra::Vector3::zeros(); markers.len()];
+            let markers = self.ws.seen(&f.markers);
+            let mut w = vec![S::Twist::zero(); markers.len()];
             f.element.wrenches(t, &markers, &mut w);
-            w.iter().any(|w| w.iter().any(|x| !x.is_finite()))
+            w.iter()
+                .any(|w| w.as_slice().iter().any(|x| !x.is_finite()))
         });
         let element = match guilty {
             Some(f) => format!("force '{}' ({})", f.name, f.kind),
@@ -184,7 +186,7 @@ impl<'a> Motion<'a> {
             .forces
             .iter()
             .map(|f| {
-                let markers: Vec<_> = f.markers.iter().map(|&m| self.ws.markers[m]).collect();
+                let markers = self.ws.seen(&f.markers);
                 f.element.report(t, &markers).potential
             })
             .sum();
@@ -192,7 +194,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-impl Ode for Motion<'_> {
+impl<S: Space> Ode for Motion<'_, S> {
     type Error = AnalysisError;
 
     fn dim(&self) -> usize {
@@ -202,29 +204,44 @@ impl Ode for Motion<'_> {
     fn rhs(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) -> Result<(), AnalysisError> {
         self.evaluate(t, y)?;
         let (nq, nv) = (self.system.nq(), self.system.nv());
-        dydt[..nq].copy_from_slice(&y[nq..nq + nv]);
+        let (q, v) = self.split(y);
+        self.system.position_rates(q, v, &mut dydt[..nq]);
         dydt[nq..nq + nv].copy_from_slice(&self.ws.a);
         dydt[nq + nv] = outside_power(self.system, &mut self.ws, t);
         Ok(())
     }
 
     fn scales(&mut self, y: &[f64], scales: &mut [f64]) {
-        let (nq, nv, bodies) = (self.system.nq(), self.system.nv(), self.system.bodies.len());
-        let size = self.system.size;
-        let (q, v) = self.split(y);
+        let system = self.system;
+        let (nq, nv) = (system.nq(), system.nv());
+        let size = system.size;
+        let (q, v) = (&y[..nq], &y[nq..nq + nv]);
         // Speeds are measured against the fastest of their kind so far; a machine at rest against
         // one size a second.
-        for b in 0..bodies {
-            self.speed[0] = self.speed[0].max(v[3 * b].abs()).max(v[3 * b + 1].abs());
-            self.speed[1] = self.speed[1].max(v[3 * b + 2].abs());
+        for v in v[..system.body_nv()].chunks_exact(S::NV) {
+            for (k, v) in v.iter().enumerate() {
+                let speed = &mut self.speed[usize::from(k >= S::LINEAR)];
+                *speed = speed.max(v.abs());
+            }
         }
-        for i in 0..nq {
-            let angle = i >= 3 * bodies || i % 3 == 2;
-            scales[i] = if angle { 1.0 } else { size + q[i].abs() };
-            scales[nq + i] = if angle {
-                1.0 + self.speed[1]
+        let (bodies, rest) = (system.bodies.len() * S::NQ, system.body_nv());
+        for (i, (scale, q)) in scales.iter_mut().zip(q).enumerate() {
+            *scale = if i >= bodies + system.aux {
+                // What is remembered does not move in a step.
+                f64::INFINITY
+            } else if i >= bodies {
+                1.0
+            } else if i % S::NQ < S::LINEAR {
+                size + q.abs()
             } else {
+                S::TURN
+            };
+        }
+        for (i, scale) in scales[nq..nq + nv].iter_mut().enumerate() {
+            *scale = if i < rest && i % S::NV < S::LINEAR {
                 size + self.speed[0]
+            } else {
+                1.0 + self.speed[1]
             };
         }
         // The work is a monitor: it follows the states and does not govern the step.
@@ -233,11 +250,13 @@ impl Ode for Motion<'_> {
 
     /// Position and velocity projection in the metric of the mass.
     fn project(&mut self, t: f64, y: &mut [f64]) -> Result<bool, AnalysisError> {
-        if self.baumgarte.is_some() || self.system.rows == 0 {
-            return Ok(false);
-        }
         let system = self.system;
         let (nq, nv) = (system.nq(), system.nv());
+        // What this changes is no motion: the derivatives stay.
+        system.normalize(&mut y[..nq]);
+        if self.baumgarte.is_some() || system.rows == 0 {
+            return Ok(false);
+        }
         let (q, v) = y[..nq + nv].split_at_mut(nq);
         let ws = &mut self.ws;
         system.update_active_markers(q, v, ws);
@@ -266,9 +285,7 @@ impl Ode for Motion<'_> {
                 *r = -c;
             }
             ws.solve(&self.metric.blocks, &self.zero);
-            for (x, d) in q.iter_mut().zip(&ws.a) {
-                *x += d;
-            }
+            system.advance(q, 1.0, &ws.a);
             system.update_active_markers(q, v, ws);
             system.evaluate_constraints(t, ws);
             violation = system.violation(ws).0;

@@ -1,9 +1,9 @@
 //! The force element that sets the fastest motion of a machine.
 
 use crate::formulation::column_scale;
-use crate::space::{Planar, PlanarMarker, Space};
+use crate::space::{Space, Tuple};
 use crate::system::{ForceData, Metric, State, System, Workspace};
-use nalgebra::Vector3;
+use smallvec::SmallVec;
 
 /// A force element and the rate of the motion that it makes on its own.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +18,8 @@ pub(super) struct Stiffest {
 
 /// Power iterations: an element along one measure needs one, a bushing a few.
 const ITERATIONS: usize = 4;
+/// Parts of a push along which no usual element is blind.
+const PUSH: [f64; 6] = [1.0, 0.61, 0.37, 0.83, 0.47, 0.29];
 /// Displacements of the differences, relative to size and radians: forces of curved laws are
 /// differentiated to some six digits.
 const DIFFERENCE: f64 = 1e-6;
@@ -25,9 +27,9 @@ const DIFFERENCE: f64 = 1e-6;
 /// Finds the element with the fastest motion of the constrained machine: the largest eigenvalue of
 /// (inverse mass on the free motions) * (its stiffness), whose root is a frequency, or * (its
 /// damping), by power iteration. `None` where no element has either, or masses are missing.
-pub(super) fn stiffest(
-    system: &System<Planar>,
-    ws: &mut Workspace<Planar>,
+pub(super) fn stiffest<S: Space>(
+    system: &System<S>,
+    ws: &mut Workspace<S>,
     state: &State,
     metric: &mut Metric,
 ) -> Option<Stiffest> {
@@ -66,9 +68,9 @@ const ASIDE: f64 = 1e-4;
 
 /// Finds a force element that jumps at a state, and says so with the remedy. Its force differs on
 /// the two sides of the state, and hardly less so a tenth as far away.
-pub(super) fn jumping(
-    system: &System<Planar>,
-    ws: &mut Workspace<Planar>,
+pub(super) fn jumping<S: Space>(
+    system: &System<S>,
+    ws: &mut Workspace<S>,
     state: &State,
 ) -> Option<String> {
     system.update_markers(&state.q, &state.v, ws);
@@ -94,19 +96,19 @@ pub(super) fn jumping(
     })
 }
 
-struct Probe<'a> {
-    system: &'a System<Planar>,
-    ws: &'a mut Workspace<Planar>,
+struct Probe<'a, S: Space> {
+    system: &'a System<S>,
+    ws: &'a mut Workspace<S>,
     state: &'a State,
     scale: Vec<f64>,
 }
 
-impl Probe<'_> {
+impl<S: Space> Probe<'_, S> {
     /// Does a force differ on two sides of the state, however near these are?
-    fn jumps(&self, force: &ForceData<Planar>) -> bool {
+    fn jumps(&self, force: &ForceData<S>) -> bool {
         let bodies = force.markers.iter();
         let bodies = bodies.filter_map(|&m| self.system.markers[m].body);
-        bodies.flat_map(|b| 3 * b..3 * b + 3).any(|k| {
+        bodies.flat_map(|b| b * S::NV..(b + 1) * S::NV).any(|k| {
             let mut direction = vec![0.0; self.system.nv()];
             direction[k] = self.scale[k];
             [true, false].into_iter().any(|damping| {
@@ -128,13 +130,14 @@ impl Probe<'_> {
     }
 
     /// Largest eigenvalue, in size, that a force element gives the machine.
-    fn eigenvalue(&mut self, force: &ForceData<Planar>, damping: bool) -> Option<f64> {
+    fn eigenvalue(&mut self, force: &ForceData<S>, damping: bool) -> Option<f64> {
         // A first push with parts along everything that the element can feel.
         let mut push = vec![0.0; self.system.nv()];
         for (k, &m) in force.markers.iter().enumerate() {
             if let Some(b) = self.system.markers[m].body {
-                for (i, part) in [1.0, 0.61, 0.37].into_iter().enumerate() {
-                    push[3 * b + i] = part * (1.0 + k as f64) / self.scale[3 * b + i];
+                for (i, part) in PUSH.into_iter().take(S::NV).enumerate() {
+                    let at = b * S::NV + i;
+                    push[at] = part * (1.0 + k as f64) / self.scale[at];
                 }
             }
         }
@@ -165,13 +168,13 @@ impl Probe<'_> {
     /// Generalized force of an element at a state moved along a direction.
     fn wrenches(
         &self,
-        force: &ForceData<Planar>,
+        force: &ForceData<S>,
         direction: &[f64],
         step: f64,
         damping: bool,
     ) -> Vec<f64> {
         let system = self.system;
-        let moved: Vec<PlanarMarker> = force
+        let moved: Vec<S::Marker> = force
             .markers
             .iter()
             .map(|&m| {
@@ -179,22 +182,36 @@ impl Probe<'_> {
                 let Some(b) = data.body else {
                     return self.ws.markers[m];
                 };
-                let at = |x: &[f64], moves: bool| -> [f64; 3] {
-                    let factor = if moves { step } else { 0.0 };
-                    std::array::from_fn(|k| x[3 * b + k] + factor * direction[3 * b + k])
-                };
-                let (q, v) = (at(&self.state.q, !damping), at(&self.state.v, damping));
-                Planar::marker(&data.frame, &Planar::pose(&q), &v)
+                let own = b * S::NV..(b + 1) * S::NV;
+                let mut move_by = S::Twist::zero();
+                for (x, d) in move_by
+                    .as_mut_slice()
+                    .iter_mut()
+                    .zip(&direction[own.clone()])
+                {
+                    *x = step * d;
+                }
+                let mut v = S::Twist::of(&self.state.v[own]);
+                let mut q: SmallVec<[f64; 7]> =
+                    SmallVec::from_slice(&self.state.q[b * S::NQ..(b + 1) * S::NQ]);
+                if damping {
+                    v.add_scaled(1.0, &move_by);
+                } else {
+                    S::advance(&mut q, move_by.as_slice());
+                }
+                let mut marker = S::marker(&data.frame, &S::pose(&q), v.as_slice());
+                S::set_turn(&mut marker, S::turn(&self.ws.markers[m]));
+                marker
             })
             .collect();
-        let mut wrenches = vec![Vector3::zeros(); moved.len()];
+        let mut wrenches = vec![S::Twist::zero(); moved.len()];
         force.element.wrenches(self.state.t, &moved, &mut wrenches);
         let mut out = vec![0.0; system.nv()];
         for ((&m, marker), wrench) in force.markers.iter().zip(&moved).zip(&wrenches) {
             if let Some(b) = system.markers[m].body {
-                let pulled = Planar::pull(marker, wrench);
-                for k in 0..3 {
-                    out[3 * b + k] += pulled[k];
+                let pulled = S::pull(marker, wrench);
+                for (x, p) in out[b * S::NV..].iter_mut().zip(pulled.as_slice()) {
+                    *x += p;
                 }
             }
         }

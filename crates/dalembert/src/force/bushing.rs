@@ -1,62 +1,84 @@
 //! Bushings.
 
 use super::{ForceChannel, ForceElement, ForceReport};
-use crate::joint::PlanarMeasure;
-use crate::space::{Planar, PlanarMarker};
-use nalgebra::{Matrix3, Vector3};
+use crate::space::{PoseCoordinate, Space, Tuple, spread};
+use nalgebra::DMatrix;
+use smallvec::SmallVec;
+use std::marker::PhantomData;
 
-/// A bushing: generalized force -(K rho + C rho') on the pose rho = (x, y, angle) of the second
-/// marker in the axes of the first; Q = (d rho/dq)^T of that, so action equals reaction.
+/// A bushing: generalized force -(K rho + C rho') on the pose rho of the second marker in the axes of the first
+/// ([`Space::pose_coordinates`]); Q = (d rho/dq)^T of that, so action equals reaction.
 #[derive(Clone, Debug)]
-pub struct Bushing {
-    /// K, in the units N/m, N/rad, N m/m, N m/rad of its entries.
-    pub stiffness: Matrix3<f64>,
+pub struct Bushing<S: Space> {
+    /// K, in the units N/m, N/rad, N m/m, N m/rad of its entries; as large as a twist.
+    pub stiffness: DMatrix<f64>,
     /// C.
-    pub damping: Matrix3<f64>,
+    pub damping: DMatrix<f64>,
+    /// The space.
+    pub space: PhantomData<S>,
 }
 
-const COORDINATES: [PlanarMeasure; 3] = [
-    PlanarMeasure::AlongX,
-    PlanarMeasure::AlongY,
-    PlanarMeasure::Angle,
-];
+type Pose<S> = SmallVec<[PoseCoordinate<<S as Space>::Twist>; 6]>;
 
-impl Bushing {
-    fn state(markers: &[PlanarMarker]) -> (Vector3<f64>, Vector3<f64>) {
-        let m = COORDINATES.map(|k| k.evaluate(&markers[0], &markers[1]));
-        (
-            Vector3::new(m[0].value, m[1].value, m[2].value),
-            Vector3::new(m[0].rate, m[1].rate, m[2].rate),
-        )
+/// Row of a matrix times a vector.
+fn row(matrix: &DMatrix<f64>, k: usize, x: impl Iterator<Item = f64>) -> f64 {
+    matrix.row(k).iter().zip(x).map(|(a, x)| a * x).sum()
+}
+
+impl<S: Space> Bushing<S> {
+    /// Generalized force on each coordinate of the pose.
+    fn forces(&self, pose: &Pose<S>) -> SmallVec<[f64; 6]> {
+        let force = |k| {
+            let elastic = row(&self.stiffness, k, pose.iter().map(|c| c.value));
+            let viscous = row(&self.damping, k, pose.iter().map(|c| c.rate));
+            -elastic - viscous
+        };
+        (0..pose.len()).map(force).collect()
     }
 }
 
-impl ForceElement<Planar> for Bushing {
-    fn wrenches(&self, _t: f64, markers: &[PlanarMarker], out: &mut [Vector3<f64>]) {
-        let (pose, rate) = Self::state(markers);
-        let force = -(self.stiffness * pose + self.damping * rate);
-        for (k, kind) in COORDINATES.into_iter().enumerate() {
-            let m = kind.evaluate(&markers[0], &markers[1]);
-            out[0] += force[k] * m.first;
-            out[1] += force[k] * m.second;
+impl<S: Space> ForceElement<S> for Bushing<S> {
+    fn wrenches(&self, _t: f64, markers: &[S::Marker], out: &mut [S::Twist]) {
+        let pose = S::pose_coordinates(&markers[0], &markers[1]);
+        for (force, c) in self.forces(&pose).iter().zip(&pose) {
+            out[0].add_scaled(*force, &c.first);
+            out[1].add_scaled(*force, &c.second);
         }
     }
 
-    fn report(&self, _t: f64, markers: &[PlanarMarker]) -> ForceReport {
-        let (pose, rate) = Self::state(markers);
-        // Only the symmetric part of K has a potential.
-        let symmetric = 0.5 * (self.stiffness + self.stiffness.transpose());
-        let elastic = symmetric * pose;
-        let force = -(self.stiffness * pose + self.damping * rate);
+    fn report(&self, _t: f64, markers: &[S::Marker]) -> ForceReport {
+        let pose = S::pose_coordinates(&markers[0], &markers[1]);
+        let force = self.forces(&pose);
+        let power: f64 = force.iter().zip(&pose).map(|(f, c)| f * c.rate).sum();
+        let (mut potential, mut potential_rate) = (0.0, 0.0);
+        for (k, c) in pose.iter().enumerate() {
+            // Only the symmetric part of K has a potential.
+            let columns = pose.iter().enumerate();
+            let elastic: f64 = columns
+                .map(|(j, c)| 0.5 * (self.stiffness[(k, j)] + self.stiffness[(j, k)]) * c.value)
+                .sum();
+            potential += 0.5 * elastic * c.value;
+            potential_rate += elastic * c.rate;
+        }
+        let mut wrenches = [S::Twist::zero(); 2];
+        for (f, c) in force.iter().zip(&pose) {
+            wrenches[1].add_scaled(*f, &c.second);
+        }
+        // On the second body, in the axes of the first.
+        let axes = S::axes(&markers[0]);
+        let [f, m] = spread::<S>(&wrenches[1]).map(|x| axes.tr_mul(&x));
+        let mut values: SmallVec<[f64; 8]> = SmallVec::from_slice(&f.as_slice()[..S::LINEAR]);
+        values.extend(S::ANGULAR.iter().map(|&k| m[k]));
+        values.push(power);
         ForceReport {
-            potential: 0.5 * pose.dot(&elastic),
-            potential_rate: rate.dot(&elastic),
-            values: [force.x, force.y, force.z, force.dot(&rate)],
+            potential,
+            potential_rate,
+            values,
         }
     }
 
     fn channels(&self) -> Vec<ForceChannel> {
-        vec![
+        const FORCES: [ForceChannel; 3] = [
             ForceChannel {
                 suffix: "force_x",
                 unit: "N",
@@ -68,15 +90,43 @@ impl ForceElement<Planar> for Bushing {
                 meaning: "force on the second body along the first body's joint y axis",
             },
             ForceChannel {
+                suffix: "force_z",
+                unit: "N",
+                meaning: "force on the second body along the first body's joint z axis",
+            },
+        ];
+        const MOMENTS: [ForceChannel; 3] = [
+            ForceChannel {
+                suffix: "moment_x",
+                unit: "N m",
+                meaning: "moment on the second body at its point about the first body's joint x axis",
+            },
+            ForceChannel {
+                suffix: "moment_y",
+                unit: "N m",
+                meaning: "moment on the second body at its point about the first body's joint y axis",
+            },
+            ForceChannel {
+                suffix: "moment_z",
+                unit: "N m",
+                meaning: "moment on the second body at its point about the first body's joint z axis",
+            },
+        ];
+        let mut list = FORCES[..S::LINEAR].to_vec();
+        if S::ANGULAR.len() == 1 {
+            list.push(ForceChannel {
                 suffix: "moment",
                 unit: "N m",
                 meaning: "moment on the second body at its point",
-            },
-            ForceChannel {
-                suffix: "power",
-                unit: "W",
-                meaning: "power into the machine",
-            },
-        ]
+            });
+        } else {
+            list.extend(MOMENTS);
+        }
+        list.push(ForceChannel {
+            suffix: "power",
+            unit: "W",
+            meaning: "power into the machine",
+        });
+        list
     }
 }

@@ -4,6 +4,7 @@ use super::{ForceChannel, ForceElement, ForceReport};
 use crate::joint::{Measure, MeasureKind};
 use crate::signal::Coefficient;
 use crate::space::{Planar, Space, Tuple};
+use smallvec::smallvec;
 
 /// Spring-damper-actuator along a measure x (a distance, an angle, a displacement):
 /// f = k (x - x0) + c x' + f_a, positive where it reduces x (tension); Q = -f dx/dq
@@ -74,7 +75,7 @@ impl<S: Space> ForceElement<S> for MeasureForce<S> {
         ForceReport {
             potential,
             potential_rate,
-            values: [m.value, m.rate, sign * f, -f * m.rate],
+            values: smallvec![m.value, m.rate, sign * f, -f * m.rate],
         }
     }
 

@@ -12,6 +12,7 @@ pub use point_gravity::PointGravity;
 
 use crate::joint::Measure;
 use crate::space::Space;
+use smallvec::SmallVec;
 use std::fmt::Debug;
 
 /// Energy that a force element stores and scalars that it reports.
@@ -22,7 +23,7 @@ pub struct ForceReport {
     /// Rate of the potential energy [W].
     pub potential_rate: f64,
     /// Values in the order of [`ForceElement::channels`].
-    pub values: [f64; 4],
+    pub values: SmallVec<[f64; 8]>,
 }
 
 /// Name suffix, unit and meaning of a value that a force element reports.
@@ -60,6 +61,6 @@ pub trait ForceElement<S: Space>: Debug + Send + Sync {
     }
     /// Energy and reported values.
     fn report(&self, t: f64, markers: &[S::Marker]) -> ForceReport;
-    /// What `report` reports; at most four.
+    /// What `report` reports.
     fn channels(&self) -> Vec<ForceChannel>;
 }

@@ -1,6 +1,6 @@
 //! Scalar measures between two markers: what joints, drivers and force elements are made of.
 
-use crate::space::{Planar, Space};
+use crate::space::{Planar, PoseCoordinate, Space};
 use nalgebra::Vector3;
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -43,6 +43,17 @@ pub struct Measured<T = Vector3<f64>> {
     pub first: T,
     /// Gradient with respect to the twist of the second marker.
     pub second: T,
+}
+
+impl<T> From<Measured<T>> for PoseCoordinate<T> {
+    fn from(m: Measured<T>) -> Self {
+        Self {
+            value: m.value,
+            rate: m.rate,
+            first: m.first,
+            second: m.second,
+        }
+    }
 }
 
 impl<S: Space> Measure<S> {

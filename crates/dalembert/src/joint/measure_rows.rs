@@ -34,6 +34,8 @@ pub struct MeasureRows<S: Space = Planar> {
     pub markers: usize,
     /// The rows.
     pub rows: SmallVec<[MeasureRow<S>; 2]>,
+    /// Measures that are positive on the side that is meant.
+    pub positive: SmallVec<[Measure<S>; 1]>,
 }
 
 impl<S: Space> MeasureRow<S> {
@@ -95,6 +97,17 @@ impl<S: Space> MeasureRow<S> {
     }
 }
 
+impl<S: Space> MeasureRows<S> {
+    /// Rows on a number of markers; every side on which they hold is meant.
+    pub fn new(markers: usize, rows: SmallVec<[MeasureRow<S>; 2]>) -> Self {
+        Self {
+            markers,
+            rows,
+            positive: SmallVec::new(),
+        }
+    }
+}
+
 impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
     fn labels(&self) -> Vec<RowLabel> {
         self.rows
@@ -112,6 +125,10 @@ impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
         measures
             .filter(|m| m.kind == S::Measure::DISTANCE)
             .collect()
+    }
+
+    fn positive(&self) -> &[Measure<S>] {
+        &self.positive
     }
 
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {

@@ -10,6 +10,7 @@ mod expression_rows;
 mod measure;
 mod measure_rows;
 mod planar_measure;
+mod point_on_curve;
 mod rolling;
 mod spatial_measure;
 mod time_function;
@@ -19,6 +20,7 @@ pub use expression_rows::ExpressionRows;
 pub use measure::{Measure, MeasureKind, Measured};
 pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
 pub use planar_measure::PlanarMeasure;
+pub use point_on_curve::PointOnCurve;
 pub use rolling::RollingOnCircle;
 pub use spatial_measure::SpatialMeasure;
 pub use time_function::{RateIntegral, TimeFunction};
@@ -98,6 +100,10 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     /// Distances among its rows: the points of each must stay apart.
     fn distances(&self) -> Vec<Measure<S>> {
         Vec::new()
+    }
+    /// Measures that are positive where the element is on the side that is meant: its rows may hold on other sides too.
+    fn positive(&self) -> &[Measure<S>] {
+        &[]
     }
     /// Closed curve that the element gives to the body of its first marker, in the marker's axes, for
     /// the picture [m]; empty for most.

@@ -4,6 +4,7 @@ use super::{MeasureKind, Measured};
 use crate::space::orientation::Axis;
 use crate::space::{Spatial, SpatialMarker, join};
 use nalgebra::{Vector3, Vector6};
+use std::f64::consts::TAU;
 
 /// Which scalar is measured from the first marker (a) to the second (b).
 ///
@@ -18,8 +19,10 @@ pub enum SpatialMeasure {
     Dot(Axis, Axis),
     /// |d| [m]; its gradient needs |d| > 0.
     Distance,
-    /// Angle about an axis k of the first marker, from e_i to the projection of f_i, with (k, i, j) right-handed, in
-    /// (-pi, pi] [rad]; it needs f_i not to stand along e_k.
+    /// Turn of b about an axis of a, of which only the rate says something: e_k.(w_b - w_a). Its value is zero.
+    Turn(Axis),
+    /// Angle about an axis k of the first marker, from e_i to the projection of f_i, with (k, i, j) right-handed, on the
+    /// turn nearest to what the second marker remembers [rad]; it needs f_i not to stand along e_k.
     Angle(Axis),
 }
 
@@ -61,10 +64,21 @@ fn turning(turn: Vector3<f64>, value: f64, rate: f64, bias: f64) -> Measured<Vec
     }
 }
 
+/// The angle, changed by whole turns, that is nearest to another.
+fn nearest_turn(angle: f64, to: f64) -> f64 {
+    let turns = (to - angle) / TAU;
+    // Halfway, both are as near.
+    if turns.abs() <= 0.5 {
+        angle
+    } else {
+        angle + TAU * turns.round()
+    }
+}
+
 impl SpatialMeasure {
     /// Is the value an angle?
     pub fn is_angle(self) -> bool {
-        matches!(self, Self::Angle(_))
+        matches!(self, Self::Angle(_) | Self::Turn(_))
     }
 
     /// Is the value a length?
@@ -115,6 +129,12 @@ impl SpatialMeasure {
                 let p = Product::new(a, e, b, f);
                 turning(p.turn, p.value, p.rate, p.bias)
             }
+            Self::Turn(axis) => {
+                let e = column(a, axis);
+                let relative = b.omega - a.omega;
+                // e' = w_a x e; the angular accelerations vanish.
+                turning(-e, 0.0, e.dot(&relative), a.omega.cross(&e).dot(&relative))
+            }
             Self::Angle(axis) => {
                 let (i, j) = axis.next_two();
                 let x = Product::new(a, i, b, i);
@@ -129,7 +149,7 @@ impl SpatialMeasure {
                     - 2.0 * rate * (x.value * x.rate + y.value * y.rate) / s;
                 turning(
                     (x.value * y.turn - y.value * x.turn) / s,
-                    y.value.atan2(x.value),
+                    nearest_turn(y.value.atan2(x.value), b.turn),
                     rate,
                     bias,
                 )

@@ -62,4 +62,9 @@ pub struct OutputOptions {
     /// Patterns of channel names that are written, like "crank.*"; default all.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub channels: Vec<String>,
+    /// Coordinates in which orientations are written: "euler-parameters", "axis-angle", "rodriguez",
+    /// "direction-cosines", or Euler angles like "euler-zxz" (about body axes) and "euler-xyz-space" (about
+    /// ground axes); default "euler-parameters" (spatial).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<String>,
 }

@@ -29,7 +29,7 @@ pub enum Motion {
 pub enum DriverKind {
     /// One scalar quantity.
     Scalar {
-        /// What is driven: kind "coordinate", "angle", "displacement", "relative-angle" or "distance".
+        /// What is driven: kind "coordinate", "angle", "displacement", "joint-coordinate", "relative-angle" or "distance".
         #[serde(flatten)]
         quantity: Quantity,
         /// How it moves.
@@ -57,6 +57,9 @@ pub enum DriverKind {
         /// y(t); free where left out.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         y: Option<Value>,
+        /// z(t); free where left out (spatial).
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        z: Option<Value>,
     },
 }
 

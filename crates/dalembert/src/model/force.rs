@@ -1,6 +1,6 @@
 //! Force elements.
 
-use super::{Placement, Point, Value};
+use super::{AxialVector, Placement, Point, Value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,7 @@ pub enum Axes {
     /// Ground axes.
     #[default]
     Ground,
-    /// The body's own axes: the force turns with the body.
+    /// The body's own axes: the vector turns with the body.
     Body,
 }
 
@@ -27,18 +27,21 @@ pub enum ForceKind {
         /// Point in the body frame; default its origin.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         at: Option<Point>,
-        /// Components [N].
+        /// Components [N]: two (planar) or three (spatial).
         value: Point,
         /// Axes of the components.
         #[serde(default)]
         axes: Axes,
     },
-    /// A moment on one body, counter-clockwise.
+    /// A moment on one body.
     Moment {
         /// Body.
         body: String,
-        /// Moment [N m].
-        value: Value,
+        /// Moment [N m]: a number, counter-clockwise (planar), or its three components (spatial).
+        value: AxialVector,
+        /// Axes of the components; default "ground" (spatial).
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        axes: Option<Axes>,
     },
     /// A motor or piston in a joint: pushes the joint's coordinate, acts on both bodies.
     Actuator {
@@ -46,6 +49,9 @@ pub enum ForceKind {
         joint: String,
         /// Moment [N m] or force [N], positive where it increases the coordinate.
         value: Value,
+        /// Name of the joint's coordinate; needed where the joint has several.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        coordinate: Option<String>,
     },
     /// Translational spring-damper-actuator between two points; tension positive.
     SpringDamper {
@@ -70,6 +76,10 @@ pub enum ForceKind {
     TorsionSpring {
         /// First and second body.
         bodies: [String; 2],
+        /// The axis about which it turns, in ground axes at the initial estimate; it turns with the first
+        /// body; needed in space (spatial).
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        axis: Option<Point>,
         /// Stiffness [N m/rad].
         #[serde(default, skip_serializing_if = "Option::is_none")]
         stiffness: Option<Value>,
@@ -96,15 +106,19 @@ pub enum ForceKind {
         /// Coordinate without force; default 0.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         free: Option<Value>,
+        /// Name of the joint's coordinate; needed where the joint has several.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        coordinate: Option<String>,
     },
-    /// A bushing: 3x3 stiffness and damping on the relative pose (x, y, angle) in the first body's joint frame.
+    /// A bushing: stiffness and damping on the relative pose in the first body's joint frame: on x, y and angle
+    /// (planar), or on x, y, z and the turns about them (spatial).
     Bushing {
         /// Where.
         #[serde(flatten)]
         placement: Placement,
-        /// Stiffness: 3 numbers (diagonal) or 3 rows of 3.
+        /// Stiffness: 3 numbers (diagonal) or 3 rows of 3 (planar); 6 numbers or 6 rows of 6 (spatial).
         stiffness: Matrix,
-        /// Damping: 3 numbers (diagonal) or 3 rows of 3; default none.
+        /// Damping: 3 numbers (diagonal) or 3 rows of 3 (planar); 6 numbers or 6 rows of 6 (spatial); default none.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         damping: Option<Matrix>,
     },

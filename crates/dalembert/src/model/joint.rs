@@ -1,31 +1,8 @@
 //! Joints between two bodies.
 
-use super::{Point, Value};
+use super::{Placement, Point, Value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-/// Where a joint sits on its two bodies.
-///
-/// Points: `at` (one in each body's frame), or `point` (one in ground axes at the initial
-/// estimate). Directions: `angles` (of the joint's x axis in each body's frame), or `direction`
-/// (of the joint's x axis in ground axes at the initial estimate).
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Placement {
-    /// First and second body; "ground" is the fixed one.
-    pub bodies: [String; 2],
-    /// The joint's point in each body's frame.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub at: Option<[Point; 2]>,
-    /// The joint's point in ground axes at the initial estimate.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub point: Option<Point>,
-    /// Angle of the joint's x axis in each body's frame [rad].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub angles: Option<[Value; 2]>,
-    /// Direction of the joint's x axis in ground axes at the initial estimate.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub direction: Option<Point>,
-}
 
 /// Side of a directed line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -70,26 +47,39 @@ pub enum CamFollower {
     Flat,
 }
 
-/// Kinds of planar joints.
+/// A curve in space by its parameter `s`, a plain number.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpaceCurve {
+    /// x(s) [m], an expression of `s`.
+    pub x: Value,
+    /// y(s) [m], an expression of `s`.
+    pub y: Value,
+    /// z(s) [m], an expression of `s`.
+    pub z: Value,
+}
+
+/// Kinds of joints. Axes: in space the joint's axis is the z axis of its frames, in the plane a slide runs along the
+/// x axis.
 ///
 /// The reaction of a joint is what it exerts on its second body, at the joint's point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum JointKind {
-    /// A pin: the two points coincide. Coordinate: angle.
+    /// A pin: the two points coincide, and in space the two joint z axes. Coordinate: angle.
     Revolute {
-        /// Where.
+        /// Where; in space `axis` or `axes` is needed.
         #[serde(flatten)]
         placement: Placement,
     },
-    /// A slide along the joint's x axis of the first body. Coordinate: displacement.
-    /// One of `angles` and `direction` is needed.
+    /// A slide along the joint's x axis (planar) or z axis (spatial) of the first body. Coordinate: displacement.
+    /// One of `angles` and `direction` (planar), or of `axis` and `axes` (spatial) is needed.
     Prismatic {
-        /// Where; `angles` or `direction` is needed.
+        /// Where; `angles` or `direction` (planar), `axis` or `axes` (spatial) is needed.
         #[serde(flatten)]
         placement: Placement,
     },
-    /// No relative motion; without `angles` the relative angle of the initial estimate is kept.
+    /// No relative motion; without directions the relative orientation of the initial estimate is kept.
     Weld {
         /// Where.
         #[serde(flatten)]
@@ -104,14 +94,14 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         length: Option<Value>,
     },
-    /// A pin of the second body in a slot of the first, along the first's joint x axis.
+    /// A pin of the second body in a slot of the first, along the first's joint x axis (planar).
     /// One of `angles` and `direction` is needed.
     PinSlot {
         /// Where; `angles` or `direction` is needed.
         #[serde(flatten)]
         placement: Placement,
     },
-    /// A pair of spur gears; their relative angles to the carrier stay in the ratio of the radii.
+    /// A pair of spur gears; their relative angles to the carrier stay in the ratio of the radii (planar).
     Gear {
         /// The two gears.
         bodies: [String; 2],
@@ -124,7 +114,7 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         internal: bool,
     },
-    /// A pinion (first body, its centre at the joint's point) on a rack (second body, along its joint x axis).
+    /// A pinion (first body, its centre at the joint's point) on a rack (second body, along its joint x axis) (planar).
     Rack {
         /// Where; `angles` or `direction` is needed.
         #[serde(flatten)]
@@ -135,7 +125,7 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         side: Option<Side>,
     },
-    /// A cam (first body) and its follower (second body), held in contact.
+    /// A cam (first body) and its follower (second body), held in contact (planar).
     Cam {
         /// Where: the origin of the profile on the cam, the follower's point (and face direction).
         #[serde(flatten)]
@@ -148,7 +138,7 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         phi: Option<Value>,
     },
-    /// A circle of the second body (centre at its point) rolls without slip on a line of the first body (its joint x axis).
+    /// A circle of the second body (centre at its point) rolls without slip on a line of the first body (its joint x axis) (planar).
     RollingOnLine {
         /// Where; `angles` or `direction` is needed.
         #[serde(flatten)]
@@ -159,7 +149,7 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         side: Option<Side>,
     },
-    /// A circle of the second body rolls without slip on a circle of the first.
+    /// A circle of the second body rolls without slip on a circle of the first (planar).
     RollingOnCircle {
         /// Where: the two centres; `at` is needed.
         #[serde(flatten)]
@@ -170,6 +160,134 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         internal: bool,
     },
+    /// A ball joint: the two points coincide (spatial).
+    Spherical {
+        /// Where.
+        #[serde(flatten)]
+        placement: Placement,
+    },
+    /// A sleeve: turns about and slides along the common joint z axis (spatial). Coordinates: angle, displacement.
+    Cylindrical {
+        /// Where; `axis` or `axes` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+    },
+    /// A cross: the two points coincide, and an axis of the first body stays at right angles to an axis of the
+    /// second (spatial). Coordinates: angle_1 about the first axis, angle_2 about the second.
+    Universal {
+        /// Where; `axes` (the first axis in the first body's frame, the second axis in the second body's), or `axis`
+        /// (the first axis) together with `second_axis` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+        /// Direction of the axis that is fixed on the second body, in ground axes at the initial estimate.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        second_axis: Option<Point>,
+    },
+    /// A constant-velocity joint between two shafts along the joint z axes: the two points coincide, and both
+    /// shafts turn by the same angle at every bend (spatial).
+    ConstantVelocity {
+        /// Where; `axis` or `axes` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+    },
+    /// A screw along the common joint z axis: every turn moves it on by its pitch (spatial). Coordinate: angle.
+    Screw {
+        /// Where; `axis` or `axes` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+        /// Displacement of the second body along the axis in one turn [m]; negative for a left-handed screw.
+        pitch: Value,
+    },
+    /// Two faces that slide on each other: the joint z axes, across the faces, stay parallel, and the second point
+    /// stays in the first body's joint x-y plane (spatial).
+    Planar {
+        /// Where; `axis` or `axes` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+    },
+    /// The point of the second body stays on a line of the first, its joint z axis (spatial). Coordinate: displacement.
+    PointOnLine {
+        /// Where; `axis` or `axes` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+    },
+    /// The point of the second body stays in a plane of the first, across its joint z axis (spatial).
+    PointOnPlane {
+        /// Where; `axis` or `axes` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+    },
+    /// The point of the second body stays on a curve of the first (spatial).
+    PointOnCurve {
+        /// Where: the origin of the curve on the first body, the point on the second.
+        #[serde(flatten)]
+        placement: Placement,
+        /// The curve in the first body's joint frame.
+        curve: SpaceCurve,
+        /// Estimate of the curve parameter at the start; default 0.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        s: Option<Value>,
+    },
+    /// The joint z axes of the two bodies stay parallel; the points do not matter (spatial).
+    ParallelAxes {
+        /// Where; `axis` or `axes` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+    },
+    /// The joint z axes of the two bodies stay at right angles; the points do not matter (spatial).
+    PerpendicularAxes {
+        /// Where; `axes`, or `axis` (of the first body) together with `second_axis` is needed.
+        #[serde(flatten)]
+        placement: Placement,
+        /// Direction of the second body's axis, in ground axes at the initial estimate.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        second_axis: Option<Point>,
+    },
+    /// Gears on two joints with an angle: the second angle changes by `ratio` times the change of the first; axes in any
+    /// directions (spatial).
+    GearPair {
+        /// The two joints.
+        joints: [String; 2],
+        /// Turns of the second angle for one turn of the first; negative where they turn against each other.
+        ratio: Value,
+    },
+    /// A pinion on one joint and a rack on another: the displacement of the rack changes by `radius` times the change of
+    /// the pinion's angle (spatial).
+    RackPair {
+        /// The joint of the pinion (with an angle) and the joint of the rack (with a displacement).
+        joints: [String; 2],
+        /// Pitch radius of the pinion [m]; negative where the displacement falls while the angle grows.
+        radius: Value,
+    },
+}
+
+impl JointKind {
+    /// Where the joint sits; gears, gear pairs and rack pairs have no place of their own.
+    pub fn placement(&self) -> Option<&Placement> {
+        match self {
+            Self::Revolute { placement }
+            | Self::Prismatic { placement }
+            | Self::Weld { placement }
+            | Self::Distance { placement, .. }
+            | Self::PinSlot { placement }
+            | Self::Rack { placement, .. }
+            | Self::Cam { placement, .. }
+            | Self::RollingOnLine { placement, .. }
+            | Self::RollingOnCircle { placement, .. }
+            | Self::Spherical { placement }
+            | Self::Cylindrical { placement }
+            | Self::Universal { placement, .. }
+            | Self::ConstantVelocity { placement }
+            | Self::Screw { placement, .. }
+            | Self::Planar { placement }
+            | Self::PointOnLine { placement }
+            | Self::PointOnPlane { placement }
+            | Self::PointOnCurve { placement, .. }
+            | Self::ParallelAxes { placement }
+            | Self::PerpendicularAxes { placement, .. } => Some(placement),
+            Self::Gear { .. } | Self::GearPair { .. } | Self::RackPair { .. } => None,
+        }
+    }
 }
 
 /// A joint between two bodies.

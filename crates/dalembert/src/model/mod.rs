@@ -5,12 +5,16 @@
 //! and `output`. Every number may be a [`Value`]: a number in SI or a text with units.
 
 mod analysis;
+mod axial_vector;
 mod body;
 mod constraint;
 mod driver;
 mod force;
+mod inertia;
 mod initial;
 mod joint;
+mod orientation;
+mod placement;
 mod quantity;
 mod shape;
 mod table;
@@ -18,13 +22,17 @@ mod trace;
 mod value;
 
 pub use analysis::{AnalysisOptions, OutputOptions, Stabilization};
-pub use body::{Body, CoordinateName};
+pub use axial_vector::AxialVector;
+pub use body::{Body, HeldCoordinate};
 pub use constraint::{Constraint, ConstraintKind, Term};
 pub use driver::{Driver, DriverKind, Motion, PathTag};
 pub use force::{Axes, Force, ForceKind, Matrix};
+pub use inertia::Inertia;
 pub use initial::Initial;
-pub use joint::{CamFollower, CamProfile, Joint, JointKind, Placement, Side};
-pub use quantity::Quantity;
+pub use joint::{CamFollower, CamProfile, Joint, JointKind, Side, SpaceCurve};
+pub use orientation::{EulerAxes, Orientation};
+pub use placement::Placement;
+pub use quantity::{CoordinateName, Quantity};
 pub use shape::{Shape, ShapeKind};
 pub use table::{Interpolation, Table};
 pub use trace::Trace;
@@ -44,7 +52,7 @@ pub enum SpaceKind {
     /// Motion in one plane: three coordinates a body.
     #[default]
     Planar,
-    /// Motion in space.
+    /// Motion in space: six degrees of freedom a body.
     Spatial,
 }
 

@@ -5,16 +5,67 @@
 
 pub mod orientation;
 mod planar;
+mod screw;
 mod spatial;
 mod tuple;
 
 pub use planar::{Planar, PlanarFrame, PlanarMarker, PlanarPose, perpendicular};
+pub use screw::Screw;
 pub use spatial::{Spatial, SpatialFrame, SpatialMarker, SpatialPose, join};
 pub use tuple::Tuple;
 
 use crate::joint::MeasureKind;
+use nalgebra::{Matrix3, Vector3};
+use orientation::OrientationSet;
+use smallvec::SmallVec;
 use std::fmt::Debug;
 use std::hash::Hash;
+
+/// Name and unit of a number that says how a frame stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AttitudeLabel {
+    /// Name, like "angle".
+    pub name: String,
+    /// SI unit; empty for pure numbers.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: String,
+}
+
+/// Linear and angular part of a twist or a wrench as vectors of space; the plane is that of x and y.
+pub fn spread<S: Space>(x: &S::Twist) -> [Vector3<f64>; 2] {
+    let mut parts = [Vector3::zeros(); 2];
+    let (linear, angular) = x.as_slice().split_at(S::LINEAR);
+    parts[0].as_mut_slice()[..S::LINEAR].copy_from_slice(linear);
+    for (k, x) in S::ANGULAR.iter().zip(angular) {
+        parts[1][*k] = *x;
+    }
+    parts
+}
+
+/// The inverse of [`spread`]; what the plane has no component for is left out.
+pub fn gather<S: Space>([linear, angular]: [Vector3<f64>; 2]) -> S::Twist {
+    let mut x = S::Twist::zero();
+    let (own_linear, own_angular) = x.as_mut_slice().split_at_mut(S::LINEAR);
+    own_linear.copy_from_slice(&linear.as_slice()[..S::LINEAR]);
+    for (x, k) in own_angular.iter_mut().zip(S::ANGULAR) {
+        *x = angular[*k];
+    }
+    x
+}
+
+/// A coordinate of the pose of one marker seen from another.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PoseCoordinate<T> {
+    /// Value.
+    pub value: f64,
+    /// Rate.
+    pub rate: f64,
+    /// Gradient with respect to the twist of the first marker.
+    pub first: T,
+    /// Gradient with respect to the twist of the second marker.
+    pub second: T,
+}
 
 /// What a dimension must say about itself, for the assembly to be written once.
 ///
@@ -26,14 +77,20 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     const NV: usize;
     /// Linear components among the velocity coordinates of a body; they come first, the angular ones follow.
     const LINEAR: usize;
+    /// Which of the three angular components of space the angular velocity coordinates are.
+    const ANGULAR: &'static [usize];
+    /// Change of a position coordinate that counts as a turn by 1 rad.
+    const TURN: f64;
     /// Has a turning body inertia forces of its own ([`Space::gyroscopic`])?
     const GYROSCOPIC: bool;
+    /// Names of the position coordinates of a body.
+    const POSITION_NAMES: &'static [&'static str];
     /// Names of the velocity coordinates of a body.
     const VELOCITY_NAMES: &'static [&'static str];
     /// Twist or wrench: linear components first.
     type Twist: Tuple;
     /// A frame fixed in a body, measured from the centre of mass in body axes (ground: from the origin).
-    type Frame: Copy + Debug + Send + Sync;
+    type Frame: Copy + Debug + Default + PartialEq + Send + Sync;
     /// Where a body is and how it stands, with what all its frames share (sines and cosines).
     type Pose: Copy + Debug + Default + Send + Sync;
     /// A frame's pose and velocity in ground axes at one instant.
@@ -59,11 +116,39 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     fn pull(marker: &Self::Marker, wrench: &Self::Twist) -> Self::Twist;
     /// Carries velocity coordinates of the body to the twist at a marker: the transpose of `pull`.
     fn push(marker: &Self::Marker, velocity: &Self::Twist) -> Self::Twist;
+    /// Axes of a marker as columns, in ground axes; the plane is that of x and y.
+    fn axes(marker: &Self::Marker) -> Matrix3<f64>;
+    /// What an attitude is written as, one label for each number of [`Space::attitude`].
+    fn attitude_labels(set: OrientationSet) -> Vec<AttitudeLabel>;
+    /// How a marker stands, in the coordinates of a set (in the plane: its angle, counting turns) near the numbers
+    /// `before`, where there are any.
+    fn attitude(
+        marker: &Self::Marker,
+        set: OrientationSet,
+        before: Option<&[f64]>,
+    ) -> SmallVec<[f64; 9]>;
+    /// A marker at the ground's origin that stands as the second does seen from the first.
+    fn relative(first: &Self::Marker, second: &Self::Marker) -> Self::Marker;
+    /// The pose of the second marker in the axes of the first: displacements, then the angle or the rotation vector.
+    fn pose_coordinates(
+        first: &Self::Marker,
+        second: &Self::Marker,
+    ) -> SmallVec<[PoseCoordinate<Self::Twist>; 6]>;
     /// Point of a marker in ground axes [m]; z is zero in the plane.
     fn point(marker: &Self::Marker) -> [f64; 3];
     /// Carries a momentum or force of a body's velocity coordinates, at its centre of mass, to the ground's origin and
     /// axes.
     fn at_origin(center: &Self::Marker, momentum: &Self::Twist) -> Self::Twist;
+    /// Position coordinates (NQ) that a body would have if the marker were its frame.
+    fn own_position(marker: &Self::Marker, out: &mut [f64]);
+    /// Velocity coordinates that a body would have if the marker were its frame: linear in ground axes, angular in the
+    /// axes in which the space counts them.
+    fn own_velocity(marker: &Self::Marker) -> Self::Twist;
+    /// The way back: the body's velocity coordinates from those of its frame `frame`, whose marker is `marker`. Linear in
+    /// `own`; with `own` at rest the body's accelerations lose [`Space::bias`] of the marker.
+    fn from_own(frame: &Self::Frame, marker: &Self::Marker, own: &Self::Twist) -> Self::Twist;
+    /// Axis of the motion of a body with velocity coordinates `v`; none where all axes are alike, or nothing moves.
+    fn screw(center: &Self::Marker, v: &Self::Twist) -> Option<Screw>;
     /// Rates q' (NQ) of a body with velocities `v` (NV).
     fn rate(q: &[f64], v: &[f64], out: &mut [f64]);
     /// Moves a body by a step in its velocity coordinates: the point that is reached in unit time with constant
@@ -75,6 +160,28 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     fn reach(q: &[f64]) -> [f64; 2];
     /// Brings redundant coordinates of a body back to their own condition.
     fn normalize(q: &mut [f64]);
+    /// Tells the second marker of an angle that counts turns which turn it was on last: the angle itself [rad]. Nothing
+    /// where poses count turns.
+    fn set_turn(marker: &mut Self::Marker, turn: f64);
+    /// What a marker was told of its turn [rad]; zero where poses count turns.
+    fn turn(marker: &Self::Marker) -> f64;
     /// Q_v of a body with the mass block `mass` (NV x NV, row-major): the inertia forces of its own rotation.
     fn gyroscopic(mass: &[f64], v: &[f64]) -> Self::Twist;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector6;
+
+    #[test]
+    fn spread_and_gather_are_inverse() {
+        let twist = Vector6::new(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
+        assert_eq!(gather::<Spatial>(spread::<Spatial>(&twist)), twist);
+        let twist = Vector3::new(1.0, 2.0, 3.0);
+        let parts = spread::<Planar>(&twist);
+        assert_eq!(parts[0], Vector3::new(1.0, 2.0, 0.0));
+        assert_eq!(parts[1], Vector3::new(0.0, 0.0, 3.0));
+        assert_eq!(gather::<Planar>(parts), twist);
+    }
 }

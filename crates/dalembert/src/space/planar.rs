@@ -1,8 +1,10 @@
 //! The plane: three coordinates a body.
 
-use super::Space;
+use super::orientation::OrientationSet;
+use super::{AttitudeLabel, PoseCoordinate, Screw, Space};
 use crate::joint::PlanarMeasure;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{Matrix3, Vector2, Vector3};
+use smallvec::{SmallVec, smallvec};
 
 /// Planar motion: q = v-layout = (x, y, angle) of the centre of mass, ground axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -61,7 +63,10 @@ impl Space for Planar {
     const NQ: usize = 3;
     const NV: usize = 3;
     const LINEAR: usize = 2;
+    const ANGULAR: &'static [usize] = &[2];
+    const TURN: f64 = 1.0;
     const GYROSCOPIC: bool = false;
+    const POSITION_NAMES: &'static [&'static str] = &["x", "y", "angle"];
     const VELOCITY_NAMES: &'static [&'static str] = &["x", "y", "angle"];
     type Twist = Vector3<f64>;
     type Frame = PlanarFrame;
@@ -130,12 +135,64 @@ impl Space for Planar {
         Vector3::new(v.x - v.z * m.arm.y, v.y + v.z * m.arm.x, v.z)
     }
 
+    fn axes(m: &PlanarMarker) -> Matrix3<f64> {
+        let (x, y) = (m.ex, m.ey());
+        Matrix3::new(x.x, y.x, 0.0, x.y, y.y, 0.0, 0.0, 0.0, 1.0)
+    }
+
+    fn attitude_labels(_: OrientationSet) -> Vec<AttitudeLabel> {
+        vec![AttitudeLabel {
+            name: "angle".to_owned(),
+            unit: "rad",
+            meaning: "angle, counter-clockwise, counting turns".to_owned(),
+        }]
+    }
+
+    fn attitude(m: &PlanarMarker, _: OrientationSet, _: Option<&[f64]>) -> SmallVec<[f64; 9]> {
+        smallvec![m.angle]
+    }
+
+    fn relative(first: &PlanarMarker, second: &PlanarMarker) -> PlanarMarker {
+        Self::ground_marker(&PlanarFrame {
+            at: Vector2::zeros(),
+            angle: second.angle - first.angle,
+        })
+    }
+
+    fn pose_coordinates(
+        first: &PlanarMarker,
+        second: &PlanarMarker,
+    ) -> SmallVec<[PoseCoordinate<Vector3<f64>>; 6]> {
+        use PlanarMeasure::{AlongX, AlongY, Angle};
+        let measures = [AlongX, AlongY, Angle].into_iter();
+        measures
+            .map(|kind| PoseCoordinate::from(kind.evaluate(first, second)))
+            .collect()
+    }
+
     fn point(m: &PlanarMarker) -> [f64; 3] {
         [m.point.x, m.point.y, 0.0]
     }
 
     fn at_origin(m: &PlanarMarker, h: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(h.x, h.y, h.z + m.point.x * h.y - m.point.y * h.x)
+    }
+
+    fn own_position(m: &PlanarMarker, out: &mut [f64]) {
+        out.copy_from_slice(&[m.point.x, m.point.y, m.angle]);
+    }
+
+    fn own_velocity(m: &PlanarMarker) -> Vector3<f64> {
+        Self::twist(m)
+    }
+
+    fn from_own(_: &PlanarFrame, m: &PlanarMarker, own: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(own.x + own.z * m.arm.y, own.y - own.z * m.arm.x, own.z)
+    }
+
+    /// Every turn in the plane is about its normal.
+    fn screw(_: &PlanarMarker, _: &Vector3<f64>) -> Option<Screw> {
+        None
     }
 
     fn rate(_: &[f64], v: &[f64], out: &mut [f64]) {
@@ -159,6 +216,12 @@ impl Space for Planar {
     }
 
     fn normalize(_: &mut [f64]) {}
+
+    fn set_turn(_: &mut PlanarMarker, _: f64) {}
+
+    fn turn(_: &PlanarMarker) -> f64 {
+        0.0
+    }
 
     fn gyroscopic(_: &[f64], _: &[f64]) -> Vector3<f64> {
         Vector3::zeros()

@@ -1,8 +1,10 @@
 //! Space: seven position coordinates and six velocity coordinates a body.
 
-use super::Space;
+use super::orientation::{Axis, OrientationSet, Rotation, skew};
+use super::{AttitudeLabel, PoseCoordinate, Screw, Space};
 use crate::joint::SpatialMeasure;
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector6};
+use smallvec::SmallVec;
 
 /// Spatial motion of the centre of mass.
 ///
@@ -45,6 +47,8 @@ pub struct SpatialMarker {
     pub velocity: Vector3<f64>,
     /// Angular velocity [rad/s].
     pub omega: Vector3<f64>,
+    /// Angle that was measured to this marker last, counting turns [rad].
+    pub turn: f64,
 }
 
 impl Default for SpatialFrame {
@@ -90,7 +94,10 @@ impl Space for Spatial {
     const NQ: usize = 7;
     const NV: usize = 6;
     const LINEAR: usize = 3;
+    const ANGULAR: &'static [usize] = &[0, 1, 2];
+    const TURN: f64 = 0.5;
     const GYROSCOPIC: bool = true;
+    const POSITION_NAMES: &'static [&'static str] = &["x", "y", "z", "e0", "e1", "e2", "e3"];
     const VELOCITY_NAMES: &'static [&'static str] = &[
         "x",
         "y",
@@ -124,6 +131,7 @@ impl Space for Spatial {
             arm,
             velocity: Vector3::new(v[0], v[1], v[2]) + omega.cross(&arm),
             omega,
+            turn: 0.0,
         }
     }
 
@@ -139,6 +147,7 @@ impl Space for Spatial {
             arm: frame.at,
             velocity: Vector3::zeros(),
             omega: Vector3::zeros(),
+            turn: 0.0,
         }
     }
 
@@ -162,6 +171,76 @@ impl Space for Spatial {
         join(&(linear + omega.cross(&m.arm)), &omega)
     }
 
+    fn axes(m: &SpatialMarker) -> Matrix3<f64> {
+        m.axes
+    }
+
+    fn attitude_labels(set: OrientationSet) -> Vec<AttitudeLabel> {
+        let names = set.names().into_iter().enumerate();
+        names
+            .map(|(k, name)| AttitudeLabel {
+                unit: if set.is_angle(k) { "rad" } else { "" },
+                meaning: format!("orientation, {name} of {set}"),
+                name,
+            })
+            .collect()
+    }
+
+    fn attitude(
+        m: &SpatialMarker,
+        set: OrientationSet,
+        before: Option<&[f64]>,
+    ) -> SmallVec<[f64; 9]> {
+        let rotation = Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m.axes));
+        let now = set.coordinates(&rotation).values;
+        match before {
+            Some(before) => set.near(now, before),
+            None => now,
+        }
+    }
+
+    fn relative(first: &SpatialMarker, second: &SpatialMarker) -> SpatialMarker {
+        Self::ground_marker(&SpatialFrame {
+            at: Vector3::zeros(),
+            axes: first.axes.tr_mul(&second.axes),
+        })
+    }
+
+    /// Rotation vector p of R = A1^T A2: p' = J^-1 w with w = A1^T (omega2 - omega1),
+    /// J^-1 = I - skew(p)/2 + c skew(p)^2, c = (1 - (t/2) cot(t/2)) / t^2, t = |p| < pi.
+    fn pose_coordinates(
+        first: &SpatialMarker,
+        second: &SpatialMarker,
+    ) -> SmallVec<[PoseCoordinate<Vector6<f64>>; 6]> {
+        let mut list: SmallVec<[PoseCoordinate<Vector6<f64>>; 6]> = Axis::ALL
+            .into_iter()
+            .map(|axis| SpatialMeasure::Along(axis).evaluate(first, second).into())
+            .collect();
+        let seen = Rotation3::from_matrix_unchecked(first.axes.tr_mul(&second.axes));
+        let p = Rotation::from_rotation_matrix(&seen).scaled_axis();
+        let half = 0.5 * p.norm();
+        let c = if half < 1e-3 {
+            // The next term is below rounding.
+            (1.0 + half * half / 15.0) / 12.0
+        } else {
+            (1.0 - half / half.tan()) / (4.0 * half * half)
+        };
+        let s = skew(&p);
+        let inverse = Matrix3::identity() - 0.5 * s + c * s * s;
+        let gradient = inverse * first.axes.transpose();
+        let relative = second.omega - first.omega;
+        for (k, value) in p.iter().enumerate() {
+            let row = gradient.row(k).transpose();
+            list.push(PoseCoordinate {
+                value: *value,
+                rate: row.dot(&relative),
+                first: join(&Vector3::zeros(), &-row),
+                second: join(&Vector3::zeros(), &row),
+            });
+        }
+        list
+    }
+
     fn point(m: &SpatialMarker) -> [f64; 3] {
         m.point.into()
     }
@@ -169,6 +248,30 @@ impl Space for Spatial {
     fn at_origin(m: &SpatialMarker, h: &Vector6<f64>) -> Vector6<f64> {
         let (linear, angular) = parts(h);
         join(&linear, &(m.body * angular + m.point.cross(&linear)))
+    }
+
+    /// Of the two signs of the Euler parameters the one with a positive scalar part.
+    fn own_position(m: &SpatialMarker, out: &mut [f64]) {
+        let turn = Rotation3::from_matrix_unchecked(m.axes);
+        let b = UnitQuaternion::from_rotation_matrix(&turn);
+        let sign = if b.w < 0.0 { -1.0 } else { 1.0 };
+        out[..3].copy_from_slice(m.point.as_slice());
+        out[3..7].copy_from_slice(&[b.w, b.i, b.j, b.k].map(|x| sign * x));
+    }
+
+    fn own_velocity(m: &SpatialMarker) -> Vector6<f64> {
+        join(&m.velocity, &m.axes.tr_mul(&m.omega))
+    }
+
+    fn from_own(frame: &SpatialFrame, m: &SpatialMarker, own: &Vector6<f64>) -> Vector6<f64> {
+        let (linear, angular) = parts(own);
+        let omega = m.axes * angular;
+        join(&(linear - omega.cross(&m.arm)), &(frame.axes * angular))
+    }
+
+    fn screw(m: &SpatialMarker, v: &Vector6<f64>) -> Option<Screw> {
+        let (linear, angular) = parts(v);
+        Screw::new(&m.point, &linear, &(m.body * angular))
     }
 
     fn rate(q: &[f64], v: &[f64], out: &mut [f64]) {
@@ -213,6 +316,14 @@ impl Space for Spatial {
     }
 
     // Shabana 7.105 with a central frame: -omegabar x (Ibar omegabar).
+    fn set_turn(marker: &mut SpatialMarker, turn: f64) {
+        marker.turn = turn;
+    }
+
+    fn turn(marker: &SpatialMarker) -> f64 {
+        marker.turn
+    }
+
     fn gyroscopic(mass: &[f64], v: &[f64]) -> Vector6<f64> {
         let w = Vector3::new(v[3], v[4], v[5]);
         let inertia = Matrix3::from_fn(|i, j| mass[(3 + i) * 6 + 3 + j]);

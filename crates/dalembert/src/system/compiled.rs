@@ -2,7 +2,8 @@
 
 use super::plan::Plan;
 use super::{
-    BodyData, ElementData, ForceData, MarkerData, Metric, Phase, Role, State, TraceData, Workspace,
+    BodyData, ElementData, ForceData, MarkerData, Metric, Phase, Role, State, TraceData, TurnData,
+    Workspace,
 };
 use crate::joint::{ConstraintInput, ConstraintOutput, RowLabel, RowUnit};
 use crate::solve::{ElementShape, SaddleShape};
@@ -17,7 +18,8 @@ pub struct RowRef {
     pub label: RowLabel,
 }
 
-/// A compiled machine: never changes. Coordinates: bodies in order, then auxiliaries.
+/// A compiled machine: never changes. Coordinates: bodies in order, then auxiliaries; positions end with the angles that
+/// are remembered to count turns.
 #[derive(Clone, Debug)]
 pub struct System<S: Space> {
     /// Name of the model.
@@ -32,6 +34,8 @@ pub struct System<S: Space> {
     pub forces: Vec<ForceData<S>>,
     /// Points whose motion is wanted.
     pub traces: Vec<TraceData>,
+    /// Angles that count turns by memory; none in the plane.
+    pub turns: Vec<TurnData<S>>,
     /// Mass matrix, NV x NV row-major a body (constant: central frames).
     pub mass: Vec<f64>,
     /// The mass matrix made regular, for the solver.
@@ -84,6 +88,7 @@ impl<S: Space> System<S> {
             elements,
             forces,
             traces,
+            turns: Vec::new(),
             mass,
             metric: Metric::default(),
             massless: false,
@@ -202,7 +207,7 @@ impl<S: Space> System<S> {
 
     /// Number of position coordinates.
     pub fn nq(&self) -> usize {
-        self.bodies.len() * S::NQ + self.aux
+        self.bodies.len() * S::NQ + self.aux + self.turns.len()
     }
 
     /// Number of velocity coordinates.
@@ -263,6 +268,7 @@ impl<S: Space> System<S> {
         for m in 0..self.markers.len() {
             self.update_marker(m, v, ws);
         }
+        self.set_turns(q, ws);
     }
 
     /// Poses and velocities of the markers that elements and forces see: all that an evaluation of
@@ -272,6 +278,7 @@ impl<S: Space> System<S> {
         for &m in &self.active {
             self.update_marker(m, v, ws);
         }
+        self.set_turns(q, ws);
     }
 
     fn update_marker(&self, m: usize, v: &[f64], ws: &mut Workspace<S>) {
@@ -293,7 +300,7 @@ impl<S: Space> System<S> {
             }
         }
         let (nq, nv) = (self.bodies.len() * S::NQ, self.body_nv());
-        ws.s.copy_from_slice(&q[nq..]);
+        ws.s.copy_from_slice(&q[nq..nq + self.aux]);
         ws.s_rate.copy_from_slice(&v[nv..]);
     }
 
@@ -581,9 +588,18 @@ impl<S: Space> System<S> {
 
     /// Names of the velocity coordinates in the user's words: "crank.x", "A.phi".
     pub fn coordinate_names(&self) -> Vec<String> {
-        let mut names = Vec::with_capacity(self.nv());
+        self.names(S::VELOCITY_NAMES)
+    }
+
+    /// Names of the position coordinates in the user's words: those of the velocities, but "body.e0" in space.
+    pub fn position_names(&self) -> Vec<String> {
+        self.names(S::POSITION_NAMES)
+    }
+
+    fn names(&self, of_bodies: &[&str]) -> Vec<String> {
+        let mut names = Vec::with_capacity(of_bodies.len() * self.bodies.len() + self.aux);
         for b in &self.bodies {
-            for c in S::VELOCITY_NAMES {
+            for c in of_bodies {
                 names.push(format!("{}.{c}", b.name));
             }
         }

@@ -42,7 +42,7 @@ fn revolute(name: &str, markers: [usize; 2]) -> ElementData<Spatial> {
         kind: "revolute".to_owned(),
         path: String::new(),
         phase: Phase::Always,
-        element: Arc::new(MeasureRows { markers: 2, rows }),
+        element: Arc::new(MeasureRows::new(2, rows)),
         markers: SmallVec::from_slice(&markers),
         reaction_marker: 1,
         axes_marker: 0,

@@ -12,6 +12,9 @@ mod plan;
 mod positions;
 mod row_scales;
 mod state;
+#[cfg(test)]
+pub(crate) mod test_machine;
+mod turns;
 mod workspace;
 
 pub mod compile;
@@ -21,4 +24,5 @@ pub use compiled::{RowRef, System};
 pub use element::{Coordinate, ElementData, ForceData, MarkerData, Phase, Role, TraceData};
 pub use metric::Metric;
 pub use state::State;
+pub use turns::TurnData;
 pub use workspace::Workspace;

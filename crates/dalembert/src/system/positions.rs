@@ -28,6 +28,25 @@ impl<S: Space> System<S> {
         for (x, d) in rest.iter_mut().zip(&step[nv..]) {
             *x += factor * d;
         }
+        self.count_turns(q);
+    }
+
+    /// The smallest step in the velocity coordinates that [`System::advance`] needs from one pose to another.
+    pub fn difference(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
+        let (nq, nv) = (self.bodies.len() * S::NQ, self.body_nv());
+        let mut step = vec![0.0; self.nv()];
+        let (bodies, rest) = step.split_at_mut(nv);
+        for ((out, from), to) in bodies
+            .chunks_exact_mut(S::NV)
+            .zip(from.chunks_exact(S::NQ))
+            .zip(to.chunks_exact(S::NQ))
+        {
+            S::difference(from, to, out);
+        }
+        for ((out, from), to) in rest.iter_mut().zip(&from[nq..]).zip(&to[nq..]) {
+            *out = to - from;
+        }
+        step
     }
 
     /// Rates of the positions with velocities v.
@@ -45,12 +64,16 @@ impl<S: Space> System<S> {
         {
             S::rate(q, v, out);
         }
-        rest.copy_from_slice(&v[nv..]);
+        let (aux, turns) = rest.split_at_mut(self.aux);
+        aux.copy_from_slice(&v[nv..]);
+        // What is remembered changes between steps, not in them.
+        turns.fill(0.0);
     }
 
-    /// Brings redundant coordinates of the bodies back to their own condition.
+    /// Brings redundant coordinates of the bodies back to their own condition, and remembered angles up to date.
     pub fn normalize(&self, q: &mut [f64]) {
         let nq = self.bodies.len() * S::NQ;
         q[..nq].chunks_exact_mut(S::NQ).for_each(S::normalize);
+        self.count_turns(q);
     }
 }

@@ -21,12 +21,14 @@ impl<S: Space> System<S> {
         let here = self.scaled_gradients(&self.estimate.q);
         let linear = S::LINEAR;
         let mut moved = self.estimate.q.clone();
-        for (k, x) in moved.iter_mut().enumerate() {
+        let uneven = |k: usize| {
             // Uneven steps, so that differences of coordinates change too.
             let step = ASIDE * (1.0 + 0.37 * (k % 5) as f64);
             let is_length = k < self.body_nv() && k % S::NV < linear;
-            *x += if is_length { step * self.size } else { step };
-        }
+            if is_length { step * self.size } else { step }
+        };
+        let step: Vec<f64> = (0..self.nv()).map(uneven).collect();
+        self.advance(&mut moved, 1.0, &step);
         let aside = self.scaled_gradients(&moved);
         for e in &mut self.elements {
             let largest = |x: &[f64]| x[e.rows.clone()].iter().fold(0.0_f64, |a, b| a.max(*b));

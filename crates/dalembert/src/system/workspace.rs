@@ -85,6 +85,11 @@ impl<S: Space> Workspace<S> {
         }
     }
 
+    /// The markers of an element, in its own order.
+    pub fn seen(&self, markers: &[usize]) -> Vec<S::Marker> {
+        markers.iter().map(|&m| self.markers[m]).collect()
+    }
+
     /// Factors [W C_q^T; C_q 0] with the Jacobian of the workspace.
     pub fn factor(&mut self, weight_inverse: &[f64]) -> Factored<'_> {
         self.saddle.factor(weight_inverse, &self.jac, &self.jac_aux)

@@ -78,7 +78,9 @@ impl Machine {
     }
 
     pub fn system(self) -> System<Planar> {
-        compile(&self.model(), &[]).unwrap().system
+        compile::<dalembert::space::Planar>(&self.model(), &[])
+            .unwrap()
+            .system
     }
 }
 

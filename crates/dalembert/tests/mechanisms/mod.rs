@@ -3,7 +3,7 @@
 
 use dalembert::model::{
     Body, Driver, DriverKind, Force, ForceKind, Info, Initial, Joint, JointKind, Model, Motion,
-    Placement, Point, Quantity, Value,
+    Placement, Point, Quantity,
 };
 
 /// A point.
@@ -132,7 +132,8 @@ pub fn moment(name: &str, body: &str, value: &str) -> Force {
         name: name.to_owned(),
         kind: ForceKind::Moment {
             body: body.to_owned(),
-            value: Value::from(value),
+            value: value.into(),
+            axes: None,
         },
     }
 }

@@ -67,6 +67,7 @@ pub fn measure<D: Number>(kind: SpatialMeasure, a: &Marker<D>, b: &Marker<D>) ->
         SpatialMeasure::Along(axis) => dot(&a.axes[axis.number()], &d),
         SpatialMeasure::Dot(e, f) => dot(&a.axes[e.number()], &b.axes[f.number()]),
         SpatialMeasure::Distance => dot(&d, &d).sqrt(),
+        SpatialMeasure::Turn(_) => panic!("a turn has no value"),
         SpatialMeasure::Angle(axis) => {
             let i = match axis {
                 Axis::X => 1,

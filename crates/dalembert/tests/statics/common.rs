@@ -12,7 +12,7 @@ pub const G: f64 = 9.81;
 /// Compiles a model that is given as JSON.
 pub fn system(model: Value) -> System<Planar> {
     let model: Model = serde_json::from_value(model).expect("a model");
-    match compile(&model, &[]) {
+    match compile::<dalembert::space::Planar>(&model, &[]) {
         Ok(compiled) => compiled.system,
         Err(diagnostics) => panic!("{diagnostics:?}"),
     }

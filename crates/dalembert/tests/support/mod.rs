@@ -16,7 +16,7 @@ pub fn compiled(mut value: Value) -> Compiled {
         value["model"] = json!({"name": "test"});
     }
     let model: Model = serde_json::from_value(value).expect("a model");
-    compile(&model, &[]).unwrap_or_else(|e| panic!("{e:?}"))
+    compile::<dalembert::space::Planar>(&model, &[]).unwrap_or_else(|e| panic!("{e:?}"))
 }
 
 /// The system with the rows that always hold, and its assembled start.

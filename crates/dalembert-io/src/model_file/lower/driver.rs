@@ -4,7 +4,7 @@ use super::{quantity, unknown_kind};
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
-use dalembert::model::{Driver, DriverKind, Motion, PathTag};
+use dalembert::model::{Driver, DriverKind, Motion, PathTag, SpaceKind};
 
 #[derive(Clone, Copy)]
 enum Kind {
@@ -81,13 +81,20 @@ fn path(table: &mut TableReader<'_>) -> DriverKind {
         from_at: table.point("from_at"),
         x: table.value("x"),
         y: table.value("y"),
+        z: table.of_space(SpaceKind::Spatial, "z", Item::value),
     };
-    if !table.has("x") && !table.has("y") {
-        table.combination(
-            "x",
-            "a path needs `x` or `y` or both",
-            "`x` and `y` are expressions of `t`; a coordinate that is left out is free",
-        );
+    if !["x", "y", "z"].iter().any(|key| table.has(key)) {
+        let (text, help) = match table.context().space() {
+            SpaceKind::Planar => (
+                "a path needs `x` or `y` or both",
+                "`x` and `y` are expressions of `t`; a coordinate that is left out is free",
+            ),
+            SpaceKind::Spatial => (
+                "a path needs `x`, `y` or `z`",
+                "`x`, `y` and `z` are expressions of `t`; a coordinate that is left out is free",
+            ),
+        };
+        table.combination("x", text, help);
     }
     kind
 }

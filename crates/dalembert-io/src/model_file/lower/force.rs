@@ -1,11 +1,12 @@
 //! Force elements.
 
 use super::placement::{self, Needs};
-use super::unknown_kind;
+use super::quantity::angle_axis;
+use super::{axial_vector, unknown_kind};
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
-use dalembert::model::{Axes, Force, ForceKind, Matrix};
+use dalembert::model::{Axes, Force, ForceKind, Matrix, SpaceKind};
 use toml::de::DeValue;
 
 #[derive(Clone, Copy)]
@@ -31,7 +32,7 @@ const KINDS: [(&str, Kind); 8] = [
     ("point-gravity", Kind::PointGravity),
 ];
 
-const AXES: [(&str, Axes); 2] = [("ground", Axes::Ground), ("body", Axes::Body)];
+pub(super) const AXES: [(&str, Axes); 2] = [("ground", Axes::Ground), ("body", Axes::Body)];
 
 /// Reads a `[[force]]`.
 pub(super) fn lower(mut table: TableReader<'_>) -> Force {
@@ -64,11 +65,15 @@ fn kind(table: &mut TableReader<'_>) -> Option<ForceKind> {
         },
         Kind::Moment => ForceKind::Moment {
             body: table.need_body("body"),
-            value: table.need_value("value"),
+            value: table
+                .required("value", axial_vector::lower)
+                .unwrap_or_default(),
+            axes: table.of_space(SpaceKind::Spatial, "axes", |item| item.choice(&AXES)),
         },
         Kind::Actuator => ForceKind::Actuator {
             joint: table.need_joint(),
             value: table.need_value("value"),
+            coordinate: table.optional("coordinate", Item::text),
         },
         Kind::SpringDamper => ForceKind::SpringDamper {
             bodies: table.need_bodies(),
@@ -80,6 +85,7 @@ fn kind(table: &mut TableReader<'_>) -> Option<ForceKind> {
         },
         Kind::TorsionSpring => ForceKind::TorsionSpring {
             bodies: table.need_bodies(),
+            axis: angle_axis(table),
             stiffness: table.value("stiffness"),
             damping: table.value("damping"),
             free_angle: table.value("free_angle"),
@@ -90,6 +96,7 @@ fn kind(table: &mut TableReader<'_>) -> Option<ForceKind> {
             stiffness: table.value("stiffness"),
             damping: table.value("damping"),
             free: table.value("free"),
+            coordinate: table.optional("coordinate", Item::text),
         },
         Kind::Bushing => ForceKind::Bushing {
             placement: placement::lower(table, "bushing", Needs::Point),

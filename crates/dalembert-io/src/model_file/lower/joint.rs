@@ -5,7 +5,9 @@ use super::unknown_kind;
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
-use dalembert::model::{CamFollower, CamProfile, Joint, JointKind, Side, Value};
+use dalembert::model::{
+    CamFollower, CamProfile, Joint, JointKind, Point, Side, SpaceCurve, SpaceKind, Value,
+};
 
 #[derive(Clone, Copy)]
 enum Kind {
@@ -19,19 +21,52 @@ enum Kind {
     Cam,
     RollingOnLine,
     RollingOnCircle,
+    Spherical,
+    Cylindrical,
+    Universal,
+    ConstantVelocity,
+    Screw,
+    Planar,
+    PointOnLine,
+    PointOnPlane,
+    PointOnCurve,
+    ParallelAxes,
+    PerpendicularAxes,
+    GearPair,
+    RackPair,
 }
 
-const KINDS: [(&str, Kind); 10] = [
+/// Kinds that both spaces have.
+const COMMON: [(&str, Kind); 4] = [
     ("revolute", Kind::Revolute),
     ("prismatic", Kind::Prismatic),
     ("weld", Kind::Weld),
     ("distance", Kind::Distance),
+];
+
+const PLANAR: [(&str, Kind); 6] = [
     ("pin-slot", Kind::PinSlot),
     ("gear", Kind::Gear),
     ("rack", Kind::Rack),
     ("cam", Kind::Cam),
     ("rolling-on-line", Kind::RollingOnLine),
     ("rolling-on-circle", Kind::RollingOnCircle),
+];
+
+const SPATIAL: [(&str, Kind); 13] = [
+    ("spherical", Kind::Spherical),
+    ("cylindrical", Kind::Cylindrical),
+    ("universal", Kind::Universal),
+    ("constant-velocity", Kind::ConstantVelocity),
+    ("screw", Kind::Screw),
+    ("planar", Kind::Planar),
+    ("point-on-line", Kind::PointOnLine),
+    ("point-on-plane", Kind::PointOnPlane),
+    ("point-on-curve", Kind::PointOnCurve),
+    ("parallel-axes", Kind::ParallelAxes),
+    ("perpendicular-axes", Kind::PerpendicularAxes),
+    ("gear-pair", Kind::GearPair),
+    ("rack-pair", Kind::RackPair),
 ];
 
 const SIDES: [(&str, Side); 2] = [("left", Side::Left), ("right", Side::Right)];
@@ -53,9 +88,13 @@ pub(super) fn lower(mut table: TableReader<'_>) -> Joint {
 }
 
 fn kind(table: &mut TableReader<'_>) -> Option<JointKind> {
-    Some(match table.kind(&KINDS)? {
+    let (own, foreign) = match table.context().space() {
+        SpaceKind::Planar => ([&COMMON[..], &PLANAR].concat(), &SPATIAL[..]),
+        SpaceKind::Spatial => ([&COMMON[..], &SPATIAL].concat(), &PLANAR[..]),
+    };
+    Some(match table.kind_of(&own, foreign)? {
         Kind::Revolute => JointKind::Revolute {
-            placement: placement::lower(table, "revolute", Needs::Point),
+            placement: placement::lower(table, "revolute", Needs::PointAndSpatialAxis),
         },
         Kind::Prismatic => JointKind::Prismatic {
             placement: placement::lower(table, "prismatic", Needs::PointAndAxis),
@@ -103,6 +142,87 @@ fn kind(table: &mut TableReader<'_>) -> Option<JointKind> {
             radii: radii(table),
             internal: table.flag("internal"),
         },
+        Kind::Spherical => JointKind::Spherical {
+            placement: placement::lower(table, "spherical", Needs::Point),
+        },
+        Kind::Cylindrical => JointKind::Cylindrical {
+            placement: placement::lower(table, "cylindrical", Needs::PointAndAxis),
+        },
+        Kind::Universal => JointKind::Universal {
+            placement: placement::lower(table, "universal", Needs::PointAndAxis),
+            second_axis: second_axis(table, "universal"),
+        },
+        Kind::ConstantVelocity => JointKind::ConstantVelocity {
+            placement: placement::lower(table, "constant-velocity", Needs::PointAndAxis),
+        },
+        Kind::Screw => JointKind::Screw {
+            placement: placement::lower(table, "screw", Needs::PointAndAxis),
+            pitch: table.need_value("pitch"),
+        },
+        Kind::Planar => JointKind::Planar {
+            placement: placement::lower(table, "planar", Needs::PointAndAxis),
+        },
+        Kind::PointOnLine => JointKind::PointOnLine {
+            placement: placement::lower(table, "point-on-line", Needs::PointAndAxis),
+        },
+        Kind::PointOnPlane => JointKind::PointOnPlane {
+            placement: placement::lower(table, "point-on-plane", Needs::PointAndAxis),
+        },
+        Kind::PointOnCurve => JointKind::PointOnCurve {
+            placement: placement::lower(table, "point-on-curve", Needs::Point),
+            curve: table.required("curve", curve).unwrap_or_default(),
+            s: table.value("s"),
+        },
+        Kind::ParallelAxes => JointKind::ParallelAxes {
+            placement: placement::lower(table, "parallel-axes", Needs::Axis),
+        },
+        Kind::PerpendicularAxes => JointKind::PerpendicularAxes {
+            placement: placement::lower(table, "perpendicular-axes", Needs::Axis),
+            second_axis: second_axis(table, "perpendicular-axes"),
+        },
+        Kind::GearPair => JointKind::GearPair {
+            joints: joints(table),
+            ratio: table.need_value("ratio"),
+        },
+        Kind::RackPair => JointKind::RackPair {
+            joints: joints(table),
+            radius: table.need_value("radius"),
+        },
+    })
+}
+
+fn joints(table: &mut TableReader<'_>) -> [String; 2] {
+    table
+        .required("joints", |item| item.pair(Item::joint))
+        .unwrap_or_default()
+}
+
+/// Reads the axis of the second body, which goes with `axis`.
+fn second_axis(table: &mut TableReader<'_>, kind: &str) -> Option<Point> {
+    let axis = table.optional("second_axis", Item::axis);
+    let help = "`axis` and `second_axis` are the axes of the two bodies in ground axes at the \
+                initial estimate, `axes = [[x, y, z], [x, y, z]]` those in each body's frame";
+    match (table.has("axis"), table.has("second_axis")) {
+        (true, false) => table.combination(
+            "axis",
+            &format!("the kind `{kind}` has two axes: `second_axis` is missing"),
+            help,
+        ),
+        (false, true) if table.has("axes") => table.combination(
+            "second_axis",
+            "`second_axis` goes with `axis`, not with `axes`",
+            help,
+        ),
+        _ => {}
+    }
+    axis
+}
+
+/// Reads a curve in space.
+fn curve(item: &Item<'_>) -> Option<SpaceCurve> {
+    super::table_of(item, |table| {
+        let [x, y, z] = ["x", "y", "z"].map(|key| table.need_value(key));
+        Some(SpaceCurve { x, y, z })
     })
 }
 

@@ -3,12 +3,15 @@
 //! After a mistake a function puts a placeholder and goes on, so that all mistakes are found and
 //! every element keeps its place; a model with mistakes is never handed out as a good one.
 
+mod axial_vector;
 mod body;
 mod constraint;
 mod driver;
 mod force;
+mod inertia;
 mod initial;
 mod joint;
+mod orientation;
 mod parameters;
 mod placement;
 mod quantity;

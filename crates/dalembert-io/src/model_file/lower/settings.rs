@@ -3,6 +3,7 @@
 use crate::model_file::item::{Item, type_name};
 use crate::model_file::table_reader::TableReader;
 use dalembert::model::{AnalysisOptions, Info, OutputOptions, Point, SpaceKind, Stabilization};
+use dalembert::space::orientation::OrientationSet;
 use toml::de::DeValue;
 
 /// Reads `[model]`.
@@ -70,10 +71,25 @@ pub(super) fn analysis(mut table: TableReader<'_>) -> AnalysisOptions {
     options
 }
 
+/// Reads the name of a set of orientation coordinates.
+fn orientation_set(item: &Item<'_>) -> Option<String> {
+    let text = item.text()?;
+    if text.parse::<OrientationSet>().is_err() {
+        item.error(
+            "unknown-word",
+            &format!("`{text}` is not known here"),
+            "allowed here: `euler-parameters`, `axis-angle`, `rodriguez`, `direction-cosines`, and \
+             Euler angles like `euler-zxz` or `euler-xyz-space`",
+        );
+    }
+    Some(text)
+}
+
 /// Reads `[output]`.
 pub(super) fn output(mut table: TableReader<'_>) -> OutputOptions {
     let options = OutputOptions {
         channels: table.list("channels", Item::text),
+        orientation: table.of_space(SpaceKind::Spatial, "orientation", orientation_set),
     };
     table.finish();
     options

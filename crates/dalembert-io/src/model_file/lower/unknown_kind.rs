@@ -3,7 +3,7 @@
 use crate::model_file::context::Context;
 use crate::model_file::item::{Item, Place};
 use crate::model_file::table_reader::TableReader;
-use dalembert::model::{Placement, Quantity};
+use dalembert::model::{Placement, Quantity, SpaceKind};
 use toml::de::{DeTable, DeValue};
 
 /// Reads the keys that mean the same in every kind of element, for the mistakes in them. Unknown
@@ -14,8 +14,13 @@ pub(super) fn read(table: &mut TableReader<'_>) {
         table.optional(key, Item::body);
     }
     table.optional("joint", Item::joint);
-    for key in ["point", "direction", "center", "from_at"] {
+    table.optional("joints", |item| item.pair(Item::joint));
+    for key in ["point", "center", "from_at"] {
         table.point(key);
+    }
+    table.of_space(SpaceKind::Planar, "direction", Item::planar_direction);
+    for key in ["axis", "x_axis", "second_axis"] {
+        table.of_space(SpaceKind::Spatial, key, Item::axis);
     }
     table.optional("at", |item| {
         let is_list = |value: &DeValue<'_>| matches!(value, DeValue::Array(_));
@@ -37,6 +42,7 @@ pub(super) fn placement() -> Placement {
 pub(super) fn quantity() -> Quantity {
     Quantity::RelativeAngle {
         bodies: Default::default(),
+        axis: None,
     }
 }
 

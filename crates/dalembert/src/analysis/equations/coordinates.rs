@@ -1,12 +1,13 @@
 //! Coordinates of the user's body frames.
 
 use super::ReferenceFrame;
-use crate::formulation::{Terms, column_scale};
-use crate::space::Planar;
+use super::body_frame::BodyFrame;
+use crate::formulation::Terms;
+use crate::space::{Space, Tuple};
 use crate::system::{State, System, Workspace};
 use nalgebra::DVector;
 
-/// The equations in coordinates (reference points and angles, then auxiliaries).
+/// The equations in coordinates (of the reference frames of the bodies, then auxiliaries).
 #[derive(Clone, Debug)]
 pub(super) struct CoordinateTerms {
     pub positions: DVector<f64>,
@@ -14,87 +15,106 @@ pub(super) struct CoordinateTerms {
     /// Q_e.
     pub applied: DVector<f64>,
     /// Q_v.
-    pub centrifugal: DVector<f64>,
+    pub inertial: DVector<f64>,
     /// The rest, with Q = Q_e + Q_v.
     pub terms: Terms,
-    /// From each reference point to the centre of mass, ground axes, a pair a body.
-    arms: Vec<[f64; 2]>,
+    /// The frame of each body that is not that of its centre of mass.
+    frames: Vec<Option<BodyFrame>>,
+    /// Velocities of the centres of mass.
+    central: Vec<f64>,
 }
 
 impl CoordinateTerms {
     /// The terms at the state of a workspace.
     ///
-    /// With c the way from the reference point to the centre of mass, v_c = v_O + w k x c, in short v_c = T v:
-    /// M = T^T M_c T holds the first moment m k x c, Q_v = w^2 [m c; 0] and C_q a = Q_d loses the same normal
-    /// acceleration (Shabana 6.16 to 6.45).
-    pub fn new(
-        system: &System<Planar>,
+    /// With v = T u, a = T u' + gamma: M = T^T M_c T holds the first moments, Q_v = T^T (Q_vc - M_c gamma), and
+    /// C_q a = Q_d loses the same normal acceleration (Shabana 6.16 to 6.45, 7.78 to 7.85).
+    pub fn new<S: Space>(
+        system: &System<S>,
         state: &State,
-        ws: &Workspace<Planar>,
+        ws: &Workspace<S>,
         frame: ReferenceFrame,
     ) -> Self {
-        let mut terms = Terms {
-            mass: system.dense_mass(),
-            jacobian: system.dense_jacobian(ws),
-            force: DVector::zeros(system.nv()),
-            qd: DVector::from_column_slice(&ws.qd),
-            column_scale: column_scale(system),
-        };
+        let mut terms = Terms::of(system, ws);
         let mut positions = DVector::from_column_slice(&state.q);
         let mut velocities = DVector::from_column_slice(&state.v);
         let mut applied = DVector::from_column_slice(&ws.force);
-        let mut centrifugal = DVector::zeros(system.nv());
-        let mut arms = vec![[0.0; 2]; system.bodies.len()];
-        for (b, body) in system.bodies.iter().enumerate() {
-            let at = 3 * b;
-            let away = ws.markers[body.frame_marker].arm;
-            if frame == ReferenceFrame::Center || away.norm() == 0.0 {
-                continue;
+        let mut inertial = DVector::zeros(system.nv());
+        let mut frames = Vec::with_capacity(system.bodies.len());
+        let n = S::NV;
+        for b in 0..system.bodies.len() {
+            let at = n * b;
+            if S::GYROSCOPIC {
+                let own = S::gyroscopic(system.mass_block(b), &state.v[at..at + n]);
+                for (k, x) in own.as_slice().iter().enumerate() {
+                    inertial[at + k] = *x;
+                    // The forces of the workspace hold it already.
+                    applied[at + k] -= x;
+                }
             }
-            let c = [-away.x, -away.y];
-            arms[b] = c;
-            let (m, w) = (terms.mass[(at, at)], velocities[at + 2]);
-            for k in 0..2 {
-                positions[at + k] -= c[k];
-                centrifugal[at + k] = m * w * w * c[k];
+            let own = match frame {
+                ReferenceFrame::Center => None,
+                ReferenceFrame::User => BodyFrame::new(system, ws, b),
+            };
+            if let Some(own) = &own {
+                positions
+                    .rows_mut(S::NQ * b, S::NQ)
+                    .copy_from_slice(&own.positions);
+                velocities.rows_mut(at, n).copy_from(&own.velocities);
+                let t = &own.transform;
+                let mass = terms.mass.view((at, at), (n, n)).into_owned();
+                let own_inertial = inertial.rows(at, n) - &mass * &own.bias;
+                inertial.rows_mut(at, n).copy_from(&t.tr_mul(&own_inertial));
+                let own_applied = t.tr_mul(&applied.rows(at, n));
+                applied.rows_mut(at, n).copy_from(&own_applied);
+                let mass = t.tr_mul(&(mass * t));
+                terms.mass.view_mut((at, at), (n, n)).copy_from(&mass);
+                let jacobian = terms.jacobian.columns(at, n).into_owned();
+                terms.qd -= &jacobian * &own.bias;
+                terms.jacobian.columns_mut(at, n).copy_from(&(jacobian * t));
             }
-            velocities[at] += w * c[1];
-            velocities[at + 1] -= w * c[0];
-            // The column of the angle: what turning about the reference point does to the centre.
-            let side = [-m * c[1], m * c[0]];
-            for (k, side) in side.into_iter().enumerate() {
-                terms.mass[(at + k, at + 2)] = side;
-                terms.mass[(at + 2, at + k)] = side;
-            }
-            terms.mass[(at + 2, at + 2)] += m * (c[0] * c[0] + c[1] * c[1]);
-            applied[at + 2] += c[0] * applied[at + 1] - c[1] * applied[at];
-            for row in 0..system.rows {
-                let (x, y) = (terms.jacobian[(row, at)], terms.jacobian[(row, at + 1)]);
-                terms.jacobian[(row, at + 2)] += c[0] * y - c[1] * x;
-                terms.qd[row] += w * w * (c[0] * x + c[1] * y);
-            }
+            frames.push(own);
         }
-        terms.force = &applied + &centrifugal;
+        terms.force = &applied + &inertial;
         Self {
             positions,
             velocities,
             applied,
-            centrifugal,
+            inertial,
             terms,
-            arms,
+            frames,
+            central: state.v.clone(),
         }
     }
 
-    /// Sum of m |a_c|^2 / 2 + J (theta''^2 + theta'^4) / 2 (Shabana 5.164, integrated over a planar rigid body).
-    pub fn gibbs_appel(&self, system: &System<Planar>, a: &[f64]) -> f64 {
+    /// Half the integral of |acceleration|^2 dm (Shabana 5.164), with alpha and omega in body axes:
+    /// m |a_c|^2 / 2 + alpha . J alpha / 2 + alpha . (omega x J omega) + omega^2 (omega . J omega) / 2 for each body.
+    pub fn gibbs_appel<S: Space>(&self, system: &System<S>, a: &[f64]) -> f64 {
+        let n = S::NV;
         let mut sum = 0.0;
-        for (b, c) in self.arms.iter().enumerate() {
-            let (m, j) = (system.mass[9 * b], system.mass[9 * b + 8]);
-            let a = &a[3 * b..3 * b + 3];
-            let w2 = self.velocities[3 * b + 2].powi(2);
-            let x = a[0] - a[2] * c[1] - w2 * c[0];
-            let y = a[1] + a[2] * c[0] - w2 * c[1];
-            sum += 0.5 * m * (x * x + y * y) + 0.5 * j * (a[2] * a[2] + w2 * w2);
+        for (b, frame) in self.frames.iter().enumerate() {
+            let own = DVector::from_column_slice(&a[n * b..n * (b + 1)]);
+            let a = match frame {
+                Some(frame) => &frame.transform * own + &frame.bias,
+                None => own,
+            };
+            let v = &self.central[n * b..n * (b + 1)];
+            let block = system.mass_block(b);
+            let gyroscopic = S::gyroscopic(block, v);
+            let (mut square, mut spin) = (0.0, 0.0);
+            for i in 0..n {
+                sum -= a[i] * gyroscopic.as_slice()[i];
+                for j in 0..n {
+                    sum += 0.5 * a[i] * block[n * i + j] * a[j];
+                    if i.min(j) >= S::LINEAR {
+                        spin += v[i] * block[n * i + j] * v[j];
+                    }
+                }
+                if i >= S::LINEAR {
+                    square += v[i] * v[i];
+                }
+            }
+            sum += 0.5 * square * spin;
         }
         sum
     }

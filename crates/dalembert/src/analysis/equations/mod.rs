@@ -1,5 +1,6 @@
 //! The equations of motion themselves, with names on rows and columns.
 
+mod body_frame;
 mod coordinates;
 mod independent;
 mod labelled;
@@ -7,6 +8,8 @@ mod notes;
 mod number;
 mod report;
 mod scalars;
+#[cfg(test)]
+mod spatial_test;
 mod text;
 
 pub use labelled::{LabelledMatrix, LabelledVector};
@@ -15,7 +18,7 @@ pub use report::{EquationsReport, IndependentEquations, Scalars};
 use super::AnalysisError;
 use super::least_reactions::LeastReactions;
 use crate::formulation::{Basis, Formulation};
-use crate::space::Planar;
+use crate::space::{Space, Tuple};
 use crate::system::{State, System, Workspace};
 use coordinates::CoordinateTerms;
 use independent::Independent;
@@ -46,7 +49,7 @@ pub enum ReferenceFrame {
     /// The user's body frames, wherever they sit.
     #[default]
     User,
-    /// Frames at the centres of mass: M is constant and Q_v = 0.
+    /// Frames at the centres of mass: M is constant, and Q_v holds only the gyroscopic moments of bodies in space.
     Center,
 }
 
@@ -67,9 +70,9 @@ impl Equations {
     ///
     /// # Errors
     /// An independent coordinate has an unknown name, or an element gives a value that is not finite.
-    pub fn run(
+    pub fn run<S: Space>(
         &self,
-        system: &System<Planar>,
+        system: &System<S>,
         state: &State,
     ) -> Result<EquationsReport, AnalysisError> {
         let system = &system.running();
@@ -127,14 +130,14 @@ impl Equations {
             model: system.name.clone(),
             time: state.t,
             frame: self.frame,
-            positions: over(&at.positions),
+            positions: LabelledVector::new(&at.positions, &system.position_names()),
             velocities: over(&at.velocities),
             mass: LabelledMatrix::new(&at.terms.mass, &names, &names),
             residual: along(&DVector::from_column_slice(&ws.value)),
             jacobian: LabelledMatrix::new(&at.terms.jacobian, &rows, &names),
             time_derivative: along(&time),
             applied: over(&at.applied),
-            centrifugal: over(&at.centrifugal),
+            centrifugal: over(&at.inertial),
             qd: along(&at.terms.qd),
             accelerations: solution
                 .as_ref()
@@ -170,18 +173,18 @@ impl Equations {
 }
 
 /// Names what is not finite.
-fn not_finite(system: &System<Planar>, ws: &Workspace<Planar>, t: f64) -> AnalysisError {
+fn not_finite<S: Space>(system: &System<S>, ws: &Workspace<S>, t: f64) -> AnalysisError {
     let bad = |k: &usize| !(ws.value[*k] + ws.time[*k] + ws.qd[*k]).is_finite();
     let element = match (0..system.rows).find(bad) {
         Some(row) => system.row_name(row),
         None => {
             let broken = system.forces.iter().find(|f| {
                 let markers: Vec<_> = f.markers.iter().map(|&m| ws.markers[m]).collect();
-                let mut wrenches = vec![nalgebra::Vector3::zeros(); markers.len()];
+                let mut wrenches = vec![S::Twist::zero(); markers.len()];
                 f.element.wrenches(t, &markers, &mut wrenches);
                 wrenches
                     .iter()
-                    .flat_map(|w| w.iter())
+                    .flat_map(|w| w.as_slice())
                     .any(|x| !x.is_finite())
             });
             broken.map_or_else(

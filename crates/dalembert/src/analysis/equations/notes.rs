@@ -2,7 +2,7 @@
 
 use crate::analysis::open_reactions::sentence;
 use crate::formulation::{Accelerations, FormulationError, MotionBasis, Terms};
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{State, System, Workspace};
 use crate::words::readable;
 use nalgebra::DVector;
@@ -21,7 +21,7 @@ pub(super) struct Notes {
 
 impl Notes {
     /// The state does not satisfy the constraints.
-    pub fn violation(&mut self, system: &System<Planar>, ws: &Workspace<Planar>, state: &State) {
+    pub fn violation<S: Space>(&mut self, system: &System<S>, ws: &Workspace<S>, state: &State) {
         let (worst, row) = system.violation(ws);
         if worst > VIOLATION {
             self.lines.push(format!(
@@ -89,7 +89,13 @@ impl Notes {
     ///
     /// What counts is the largest acceleration, or the square of the fastest rate, in units of the machine's size: a
     /// machine at rest has nothing but rounding in Q_d.
-    pub fn contradiction(&mut self, system: &System<Planar>, terms: &Terms, a: &[f64], v: &[f64]) {
+    pub fn contradiction<S: Space>(
+        &mut self,
+        system: &System<S>,
+        terms: &Terms,
+        a: &[f64],
+        v: &[f64],
+    ) {
         let scaled = |x: &[f64]| {
             let rates = x.iter().zip(&terms.column_scale);
             rates.fold(0.0_f64, |m, (x, s)| m.max((x / s).abs()))

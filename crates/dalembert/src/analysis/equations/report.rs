@@ -12,9 +12,10 @@ pub struct EquationsReport {
     pub time: f64,
     /// Whose reference points the coordinates are.
     pub frame: ReferenceFrame,
-    /// q: positions of the reference points, angles, auxiliary coordinates.
+    /// q: positions of the reference points, angles (in space: Euler parameters), auxiliary coordinates.
     pub positions: LabelledVector,
-    /// Velocities of the same.
+    /// v: velocities of the reference points in ground axes, angular velocities (in space: in the axes of the body frame),
+    /// rates of the auxiliaries. In space they are not the rates of q.
     pub velocities: LabelledVector,
     /// M.
     pub mass: LabelledMatrix,
@@ -26,7 +27,7 @@ pub struct EquationsReport {
     pub time_derivative: LabelledVector,
     /// Q_e: applied forces.
     pub applied: LabelledVector,
-    /// Q_v: centrifugal forces; zero where the reference points are centres of mass.
+    /// Q_v: centrifugal and gyroscopic forces; in the plane zero where the reference points are centres of mass.
     pub centrifugal: LabelledVector,
     /// Q_d: right side of the accelerations, C_q a = Q_d.
     pub qd: LabelledVector,
@@ -92,6 +93,7 @@ pub struct Scalars {
     pub hamiltonian: f64,
     /// T + V [J].
     pub energy: f64,
-    /// Gibbs-Appel function, the sum of m |a_c|^2 / 2 + J (theta''^2 + theta'^4) / 2 [N m/s^2].
+    /// Gibbs-Appel function, half the integral of |acceleration|^2 dm; in the plane the sum of
+    /// m |a_c|^2 / 2 + J (theta''^2 + theta'^4) / 2 [N m/s^2].
     pub gibbs_appel: Option<f64>,
 }

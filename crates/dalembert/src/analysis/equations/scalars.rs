@@ -2,7 +2,7 @@
 
 use super::coordinates::CoordinateTerms;
 use super::report::Scalars;
-use crate::space::{Planar, PlanarMarker};
+use crate::space::Space;
 use crate::system::{System, Workspace};
 use nalgebra::{DMatrix, DVector};
 
@@ -18,9 +18,9 @@ pub(super) struct Velocities<'a> {
 /// T, V, L and H = p . u - L; T split by degree in u: T2 = u.Mbar u/2, T1 = u.B^T M g, T0 = g.M g/2.
 ///
 /// H = T2 - T0 + V: it is T + V only where the kinematics does not depend on time (Shabana 5.165 to 5.182).
-pub(super) fn scalars(
-    system: &System<Planar>,
-    ws: &Workspace<Planar>,
+pub(super) fn scalars<S: Space>(
+    system: &System<S>,
+    ws: &Workspace<S>,
     t: f64,
     at: &CoordinateTerms,
     independent: Option<&Velocities<'_>>,
@@ -51,14 +51,15 @@ pub(super) fn scalars(
 }
 
 /// Potential energy of gravity (zero at the height of the ground's origin) and of the force elements.
-fn potential(system: &System<Planar>, ws: &Workspace<Planar>, t: f64) -> f64 {
+fn potential<S: Space>(system: &System<S>, ws: &Workspace<S>, t: f64) -> f64 {
     let mut sum = 0.0;
     for (b, body) in system.bodies.iter().enumerate() {
-        let p = ws.markers[body.center_marker].point;
-        sum -= system.weight[3 * b] * p.x + system.weight[3 * b + 1] * p.y;
+        let point = S::point(&ws.markers[body.center_marker]);
+        let weight = &system.weight[S::NV * b..][..S::LINEAR];
+        sum -= weight.iter().zip(point).map(|(w, x)| w * x).sum::<f64>();
     }
     for f in &system.forces {
-        let markers: Vec<PlanarMarker> = f.markers.iter().map(|&m| ws.markers[m]).collect();
+        let markers: Vec<S::Marker> = f.markers.iter().map(|&m| ws.markers[m]).collect();
         sum += f.element.report(t, &markers).potential;
     }
     sum

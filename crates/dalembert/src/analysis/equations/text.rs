@@ -25,9 +25,14 @@ impl EquationsReport {
         let _ = writeln!(
             out,
             "coordinates: {}",
-            match self.frame {
-                ReferenceFrame::User => "origins and angles of the body frames, ground axes",
-                ReferenceFrame::Center => "centres of mass and angles, ground axes",
+            match (self.frame, self.rates_are_velocities()) {
+                (ReferenceFrame::User, true) =>
+                    "origins and angles of the body frames, ground axes",
+                (ReferenceFrame::Center, true) => "centres of mass and angles, ground axes",
+                (ReferenceFrame::User, false) =>
+                    "origins of the body frames, ground axes; turns about the axes of the body frames",
+                (ReferenceFrame::Center, false) =>
+                    "centres of mass, ground axes; turns about the axes of the bodies",
             }
         );
         let mut columns = vec![
@@ -38,6 +43,15 @@ impl EquationsReport {
             ("Q_v", Some(&self.centrifugal)),
             ("p = M v", Some(&self.momenta)),
         ];
+        if !self.rates_are_velocities() {
+            columns.remove(0);
+            let positions = [("q", Some(&self.positions))];
+            table(
+                &mut out,
+                "Positions (e0 to e3: Euler parameters)",
+                &positions,
+            );
+        }
         table(&mut out, "Coordinates", &columns);
         columns = vec![
             ("C", Some(&self.residual)),
@@ -89,6 +103,11 @@ impl EquationsReport {
             let _ = writeln!(out, "note: {note}");
         }
         out
+    }
+
+    /// Are the velocities the rates of the positions, coordinate by coordinate?
+    fn rates_are_velocities(&self) -> bool {
+        self.positions.rows == self.velocities.rows
     }
 
     fn scalar_text(&self, out: &mut String) {

@@ -5,22 +5,23 @@ use super::runner::{DENSE, RECHOOSE};
 use super::watch::{Watch, scaled_jacobian};
 use crate::analysis::AnalysisError;
 use crate::analysis::weights::Weights;
-use crate::space::Planar;
+use crate::joint::MeasureKind;
+use crate::space::Space;
 use crate::system::{State, System, Workspace};
 use crate::words::listed;
 
 /// The forces of a known motion in a machine with actuators instead of drivers.
-pub(super) struct Actuated<'a> {
-    pub(super) system: &'a System<Planar>,
-    pub(super) ws: Workspace<Planar>,
+pub(super) struct Actuated<'a, S: Space> {
+    pub(super) system: &'a System<S>,
+    pub(super) ws: Workspace<S>,
     weights: Weights,
     watch: Watch,
     /// Last instant whose efforts are known.
     last: f64,
 }
 
-impl<'a> Actuated<'a> {
-    pub(super) fn new(system: &'a System<Planar>) -> Self {
+impl<'a, S: Space> Actuated<'a, S> {
+    pub(super) fn new(system: &'a System<S>) -> Self {
         Self {
             ws: Workspace::new(system),
             weights: Weights::even(system),

@@ -14,7 +14,8 @@ use super::open_reactions::{OpenReactions, at_time};
 use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
-use crate::space::Planar;
+use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::System;
 use crate::system::compile::Options;
 use actuated::Actuated;
@@ -27,6 +28,8 @@ pub struct Kinematics {
     pub instants: Vec<f64>,
     /// Newton's options.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 /// A kinematic run: what was computed, and why it ended early if it did.
@@ -46,6 +49,7 @@ impl Kinematics {
         Self {
             instants: options.instants(),
             newton: NewtonOptions::of(options),
+            orientation: options.orientation,
         }
     }
 
@@ -54,23 +58,23 @@ impl Kinematics {
     /// # Errors
     /// The machine cannot be assembled, or is not driven in every freedom. A singular pose on the
     /// way ends the run with what was computed before it (`stopped`).
-    pub fn run(&self, system: &System<Planar>) -> Result<KinematicsRun, AnalysisError> {
+    pub fn run<S: Space>(&self, system: &System<S>) -> Result<KinematicsRun, AnalysisError> {
         self.run_with(system, None)
     }
 
     /// The same motion, with the forces of a machine whose drivers are replaced by actuators.
-    pub(super) fn run_actuated(
+    pub(super) fn run_actuated<S: Space>(
         &self,
-        system: &System<Planar>,
-        actuated: &System<Planar>,
+        system: &System<S>,
+        actuated: &System<S>,
     ) -> Result<KinematicsRun, AnalysisError> {
         self.run_with(system, Some(actuated))
     }
 
-    fn run_with(
+    fn run_with<S: Space>(
         &self,
-        system: &System<Planar>,
-        actuated: Option<&System<Planar>>,
+        system: &System<S>,
+        actuated: Option<&System<S>>,
     ) -> Result<KinematicsRun, AnalysisError> {
         let (mut state, assembly) = Assembly {
             newton: self.newton,
@@ -80,7 +84,7 @@ impl Kinematics {
         let running = system.running();
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
-        let mut recorder = Recorder::new(true);
+        let mut recorder = Recorder::new(true).with_orientation(self.orientation);
         let mut forces = actuated.map(Actuated::new);
         let mut least = LeastReactions::new(actuated.unwrap_or(&running));
         let mut open = OpenReactions::default();

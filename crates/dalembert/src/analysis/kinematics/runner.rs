@@ -5,7 +5,7 @@ use super::watch::{Watch, scaled_jacobian};
 use crate::analysis::AnalysisError;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
-use crate::space::Planar;
+use crate::space::{Space, Tuple};
 use crate::system::{State, System, Workspace};
 use crate::words::listed;
 use nalgebra::DMatrix;
@@ -20,9 +20,9 @@ pub(super) const RECHOOSE: f64 = 1e-3;
 const HALVINGS: usize = 12;
 
 /// A driven motion on its way.
-pub(super) struct Runner<'a> {
-    system: &'a System<Planar>,
-    pub(super) ws: Workspace<Planar>,
+pub(super) struct Runner<'a, S: Space> {
+    system: &'a System<S>,
+    pub(super) ws: Workspace<S>,
     weights: Weights,
     watch: Watch,
     trial: Vec<f64>,
@@ -31,8 +31,8 @@ pub(super) struct Runner<'a> {
     pub(super) substeps: usize,
 }
 
-impl<'a> Runner<'a> {
-    pub(super) fn new(system: &'a System<Planar>, newton: NewtonOptions) -> Self {
+impl<'a, S: Space> Runner<'a, S> {
+    pub(super) fn new(system: &'a System<S>, newton: NewtonOptions) -> Self {
         Self {
             ws: Workspace::new(system),
             weights: Weights::even(system),
@@ -186,10 +186,12 @@ impl<'a> Runner<'a> {
         if self.watch.rows.is_empty() {
             return f64::INFINITY;
         }
-        let fastest = (0..self.system.bodies.len())
-            .map(|b| {
-                let v = &state.v[3 * b..3 * b + 3];
-                (v[0].hypot(v[1]) / self.system.size).max(2.0 * v[2].abs())
+        let bodies = state.v[..self.system.body_nv()].chunks_exact(S::NV);
+        let fastest = bodies
+            .map(|v| {
+                let (linear, angular) = v.split_at(S::LINEAR);
+                let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
+                (norm(linear) / self.system.size).max(2.0 * norm(angular))
             })
             .fold(0.0, f64::max);
         if fastest > 0.0 {
@@ -204,12 +206,16 @@ impl<'a> Runner<'a> {
         // A turn of more than a radian or a move of more than the machine's size in one substep
         // that the velocities did not announce is a jump.
         let h = to.t - from.t;
+        let mut moved = S::Twist::zero();
         (0..self.system.bodies.len()).all(|b| {
-            (0..3).all(|k| {
-                let i = 3 * b + k;
-                let expected = from.v[i] * h;
-                let scale = if k < 2 { self.system.size } else { 1.0 };
-                (to.q[i] - from.q[i] - expected).abs() <= 0.5 * scale + expected.abs()
+            let own = b * S::NQ..(b + 1) * S::NQ;
+            S::difference(&from.q[own.clone()], &to.q[own], moved.as_mut_slice());
+            let velocity = &from.v[b * S::NV..(b + 1) * S::NV];
+            let pairs = moved.as_slice().iter().zip(velocity).enumerate();
+            pairs.into_iter().all(|(k, (moved, v))| {
+                let expected = v * h;
+                let scale = if k < S::LINEAR { self.system.size } else { 1.0 };
+                (moved - expected).abs() <= 0.5 * scale + expected.abs()
             })
         })
     }
@@ -218,9 +224,9 @@ impl<'a> Runner<'a> {
     pub(super) fn predict(&self, state: &State, h: f64) -> State {
         let mut next = state.clone();
         next.t += h;
-        for ((q, v), a) in next.q.iter_mut().zip(&state.v).zip(&self.ws.a) {
-            *q += h * v + 0.5 * h * h * a;
-        }
+        let rates = state.v.iter().zip(&self.ws.a);
+        let step: Vec<f64> = rates.map(|(v, a)| h * v + 0.5 * h * h * a).collect();
+        self.system.advance(&mut next.q, 1.0, &step);
         next
     }
 

@@ -1,7 +1,8 @@
 //! Watches a driven motion for singular poses.
 
+use crate::formulation::column_scale;
 use crate::solve::independent_rows;
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{System, Workspace};
 use nalgebra::DMatrix;
 
@@ -62,12 +63,10 @@ impl Watch {
 }
 
 /// C_q with columns in units of the machine's size.
-pub(super) fn scaled_jacobian(system: &System<Planar>, ws: &Workspace<Planar>) -> DMatrix<f64> {
+pub(super) fn scaled_jacobian<S: Space>(system: &System<S>, ws: &Workspace<S>) -> DMatrix<f64> {
     let mut c = system.dense_jacobian(ws);
-    for b in 0..system.bodies.len() {
-        for k in 0..2 {
-            c.column_mut(3 * b + k).scale_mut(system.size);
-        }
+    for (mut column, scale) in c.column_iter_mut().zip(column_scale(system)) {
+        column *= scale;
     }
     c
 }

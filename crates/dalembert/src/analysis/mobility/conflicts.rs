@@ -4,7 +4,7 @@ use super::super::AnalysisError;
 use super::nearby::nearby_poses;
 use super::ranked::{Ranked, evaluated};
 use crate::formulation::column_scale;
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{Role, State, System, Workspace};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -44,7 +44,10 @@ const MOST_ELEMENTS: usize = 60;
 ///
 /// # Errors
 /// An element gives values that are not finite.
-pub fn conflicts(system: &System<Planar>, state: &State) -> Result<Vec<Conflict>, AnalysisError> {
+pub fn conflicts<S: Space>(
+    system: &System<S>,
+    state: &State,
+) -> Result<Vec<Conflict>, AnalysisError> {
     let full = system.start_positions();
     let best = compromise(&full, state)?;
     if !contradicts(&full, &best) {
@@ -80,17 +83,17 @@ pub fn conflicts(system: &System<Planar>, state: &State) -> Result<Vec<Conflict>
 
 /// Is an element a driver or an initial condition that can be left out? Elements with coordinates
 /// of their own must stay for these to keep their places.
-fn asks(system: &System<Planar>, element: usize) -> bool {
+fn asks<S: Space>(system: &System<S>, element: usize) -> bool {
     let e = &system.elements[element];
     matches!(e.role, Role::Driver | Role::Start) && e.aux.is_empty()
 }
 
-fn contradicts(system: &System<Planar>, state: &State) -> bool {
+fn contradicts<S: Space>(system: &System<S>, state: &State) -> bool {
     system.violation(&evaluated(system, state)).0 > CONTRADICTION
 }
 
 /// Part of a machine's elements.
-fn part(system: &System<Planar>, stay: &[usize]) -> System<Planar> {
+fn part<S: Space>(system: &System<S>, stay: &[usize]) -> System<S> {
     // First rows tell elements apart.
     let rows: Vec<usize> = stay
         .iter()
@@ -101,8 +104,8 @@ fn part(system: &System<Planar>, stay: &[usize]) -> System<Planar> {
 
 /// Attempts to assemble parts of a machine, from several poses: the way down from one of them may
 /// end at a dead centre.
-struct Trials<'a> {
-    system: &'a System<Planar>,
+struct Trials<'a, S: Space> {
+    system: &'a System<S>,
     starts: Vec<State>,
 }
 
@@ -113,8 +116,8 @@ const RANK: f64 = 1e-8;
 /// Distance of further poses, relative to the size or in radians.
 const ASIDE: f64 = 0.3;
 
-impl<'a> Trials<'a> {
-    fn new(system: &'a System<Planar>, state: &State) -> Self {
+impl<'a, S: Space> Trials<'a, S> {
+    fn new(system: &'a System<S>, state: &State) -> Self {
         Self {
             system,
             starts: vec![state.clone()],
@@ -243,8 +246,8 @@ impl<'a> Trials<'a> {
 
 impl Conflict {
     /// With the worst row of the elements at the best compromise.
-    fn new(
-        system: &System<Planar>,
+    fn new<S: Space>(
+        system: &System<S>,
         best: &State,
         elements: &[usize],
         through: &[usize],
@@ -269,17 +272,17 @@ impl Conflict {
     }
 }
 
-fn scaled(system: &System<Planar>, ws: &Workspace<Planar>, row: usize) -> f64 {
+fn scaled<S: Space>(system: &System<S>, ws: &Workspace<S>, row: usize) -> f64 {
     ws.value[row].abs() / system.row_scale(row)
 }
 
-fn scaled_residual(system: &System<Planar>, ws: &Workspace<Planar>, element: usize) -> f64 {
+fn scaled_residual<S: Space>(system: &System<S>, ws: &Workspace<S>, element: usize) -> f64 {
     let rows = system.elements[element].rows.clone();
     rows.fold(0.0, |m, row| f64::max(m, scaled(system, ws, row)))
 }
 
 /// Elements that share bodies, in groups.
-fn groups(system: &System<Planar>, elements: &[usize]) -> Vec<Vec<usize>> {
+fn groups<S: Space>(system: &System<S>, elements: &[usize]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for &e in elements {
         let touches = |group: &Vec<usize>| {
@@ -300,7 +303,7 @@ fn groups(system: &System<Planar>, elements: &[usize]) -> Vec<Vec<usize>> {
 }
 
 /// The pose of least squares of the scaled residuals, by Levenberg's and Marquardt's method.
-fn compromise(system: &System<Planar>, state: &State) -> Result<State, AnalysisError> {
+fn compromise<S: Space>(system: &System<S>, state: &State) -> Result<State, AnalysisError> {
     let mut best = state.clone();
     if system.nv() > DENSE_LIMIT || system.rows == 0 {
         return Ok(best);
@@ -308,7 +311,7 @@ fn compromise(system: &System<Planar>, state: &State) -> Result<State, AnalysisE
     let columns = column_scale(system);
     let rows: Vec<f64> = (0..system.rows).map(|row| system.row_scale(row)).collect();
     let mut ws = Workspace::new(system);
-    let residual = |at: &State, ws: &mut Workspace<Planar>| {
+    let residual = |at: &State, ws: &mut Workspace<S>| {
         system.update_markers(&at.q, &at.v, ws);
         system.evaluate_constraints(at.t, ws);
         DVector::from_fn(rows.len(), |k, _| ws.value[k] / rows[k])
@@ -348,9 +351,10 @@ fn compromise(system: &System<Planar>, state: &State) -> Result<State, AnalysisE
                 step *= 0.5 / largest;
             }
             let mut trial = best.clone();
-            for (k, x) in trial.q.iter_mut().enumerate() {
-                *x += columns[k] * step[k];
+            for (x, scale) in step.iter_mut().zip(&columns) {
+                *x *= scale;
             }
+            system.advance(&mut trial.q, 1.0, step.as_slice());
             let found = residual(&trial, &mut ws);
             if found.norm_squared() < c.norm_squared() {
                 let gain = c.norm() - found.norm();

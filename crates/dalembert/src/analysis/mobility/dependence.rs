@@ -1,6 +1,6 @@
 //! A row that says nothing new.
 
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{Role, System};
 use crate::words::listed;
 use serde::Serialize;
@@ -25,8 +25,8 @@ pub struct Dependence {
 }
 
 impl Dependence {
-    pub(super) fn new(
-        system: &System<Planar>,
+    pub(super) fn new<S: Space>(
+        system: &System<S>,
         row: usize,
         others: &[(usize, f64)],
         without_effect: bool,

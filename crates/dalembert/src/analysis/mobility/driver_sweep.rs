@@ -7,7 +7,7 @@ use super::ranked::Ranked;
 use super::singular_pose::{SingularKind, SingularPose};
 use super::sweep_result::{DriverSweep, SweepOptions};
 use crate::formulation::column_scale;
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{Role, State, System, Workspace};
 
 /// Sines of angles below this count as a singular pose: Newton's method leaves about 1e-7 there.
@@ -28,8 +28,8 @@ struct Sample {
 ///
 /// # Errors
 /// An element gives values that are not finite at the start.
-pub fn driver_singularities(
-    system: &System<Planar>,
+pub fn driver_singularities<S: Space>(
+    system: &System<S>,
     start: &State,
     options: &SweepOptions,
 ) -> Result<DriverSweep, AnalysisError> {
@@ -116,14 +116,14 @@ fn smallest(sample: &Sample, rows: &[usize]) -> f64 {
         .fold(1.0, |m, &row| f64::min(m, sample.sines[row]))
 }
 
-struct Sweep<'a> {
-    driven: &'a System<Planar>,
-    ws: Workspace<Planar>,
+struct Sweep<'a, S: Space> {
+    driven: &'a System<S>,
+    ws: Workspace<S>,
     weights: Weights,
     trial: Vec<f64>,
 }
 
-impl Sweep<'_> {
+impl<S: Space> Sweep<'_, S> {
     /// Brings a guess onto the rows at its time.
     fn pose(&mut self, mut state: State) -> Result<Sample, AnalysisError> {
         correct_positions(
@@ -196,8 +196,9 @@ impl Sweep<'_> {
             let ahead = (t - last.t) / (last.t - before.t);
             // A far extrapolation could land on another branch.
             if ahead <= 2.0 {
-                let q = last.q.iter().zip(&before.q);
-                let q = q.map(|(b, a)| b + ahead * (b - a)).collect();
+                let step = self.driven.difference(&before.q, &last.q);
+                let mut q = last.q.clone();
+                self.driven.advance(&mut q, ahead, &step);
                 if let Ok(sample) = self.pose(at(q, &last.v)) {
                     return Ok(sample);
                 }
@@ -209,12 +210,11 @@ impl Sweep<'_> {
     /// A pose between two others.
     fn between(&mut self, a: &Sample, b: &Sample, t: f64) -> Result<Sample, AnalysisError> {
         let part = (t - a.state.t) / (b.state.t - a.state.t);
-        let q = a.state.q.iter().zip(&b.state.q);
-        self.pose(State {
-            t,
-            q: q.map(|(x, y)| x + part * (y - x)).collect(),
-            v: a.state.v.clone(),
-        })
+        let step = self.driven.difference(&a.state.q, &b.state.q);
+        let mut state = a.state.clone();
+        state.t = t;
+        self.driven.advance(&mut state.q, part, &step);
+        self.pose(state)
     }
 
     /// The time between two poses at which the sine is smallest, if it is zero there.
@@ -286,7 +286,7 @@ impl Sweep<'_> {
     /// Names what happens at a pose, if it is singular; false where it is not.
     fn report(
         &mut self,
-        system: &System<Planar>,
+        system: &System<S>,
         state: State,
         rows: &[usize],
         options: &SweepOptions,
@@ -337,7 +337,7 @@ impl Sweep<'_> {
 
     /// Drivers among the dependent rows and the rows that these follow from; all of them where that
     /// is not known.
-    fn name_drivers(&self, ranked: &Ranked, pose: &mut SingularPose) {
+    fn name_drivers(&self, ranked: &Ranked<S>, pose: &mut SingularPose) {
         let dependent = ranked.redundant.iter();
         let mut rows: Vec<usize> = dependent
             .flat_map(|(row, others)| others.iter().map(|(other, _)| *other).chain([*row]))
@@ -358,11 +358,11 @@ impl Sweep<'_> {
     }
 
     /// Bodies that move although the drivers stand still.
-    fn name_bodies(&self, ranked: &Ranked, pose: &mut SingularPose) {
+    fn name_bodies(&self, ranked: &Ranked<S>, pose: &mut SingularPose) {
         let Some(dense) = &ranked.dense else { return };
         let scale = column_scale(self.driven);
         for (b, body) in self.driven.bodies.iter().enumerate() {
-            let moves = (3 * b..3 * b + 3).any(|k| {
+            let moves = (S::NV * b..S::NV * (b + 1)).any(|k| {
                 let row = dense.null_space.row(k);
                 row.iter().any(|x| (x / scale[k]).abs() > 1e-3)
             });

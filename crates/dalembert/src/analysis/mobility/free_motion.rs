@@ -1,21 +1,14 @@
 //! Free motions in words.
 
+use super::body_motion::{BodyMotion, Moving, moving, twist};
 use crate::formulation::column_scale;
-use crate::space::{Planar, Space, Tuple};
+use crate::joint::MeasureKind;
+use crate::space::{Space, Tuple};
 use crate::system::{Role, System, Workspace};
 use crate::words::listed;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 use std::fmt;
-
-/// What a body does in a free motion.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct BodyMotion {
-    /// Name of the body.
-    pub body: String,
-    /// "turns", "slides", "moves", "moves and turns".
-    pub motion: &'static str,
-}
 
 /// Free motions with one measure of what moves.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -39,13 +32,10 @@ struct Candidate {
     rates: DVector<f64>,
 }
 
-/// Parts of a motion below this are rounding.
-const SILENT: f64 = 1e-6;
-
 /// Describes free motions (columns of `motions`, user's units) at the markers of a workspace.
-pub(in crate::analysis) fn describe(
-    system: &System<Planar>,
-    ws: &Workspace<Planar>,
+pub(in crate::analysis) fn describe<S: Space>(
+    system: &System<S>,
+    ws: &Workspace<S>,
     motions: &DMatrix<f64>,
 ) -> Vec<FreeMotion> {
     let free = motions.ncols();
@@ -60,45 +50,65 @@ pub(in crate::analysis) fn describe(
         Some(inverse) if pivots.len() == free => motions * inverse,
         _ => motions.clone(),
     };
-    let mut list: Vec<(Option<usize>, FreeMotion)> = Vec::new();
+    let mut list: Vec<Group> = Vec::new();
     for (k, column) in normal.column_iter().enumerate() {
         let bodies = moving(system, ws, &column.into_owned());
         let pivot = pivots.get(k).map(|&p| &candidates[p]);
         let name = pivot.map_or_else(|| format!("motion {}", k + 1), |c| c.name.clone());
         let body = pivot.and_then(|c| c.body);
-        // x, y and angle of one body are told as one thing.
-        if let (Some(body), Some((Some(last), motion))) = (body, list.last_mut())
-            && body == *last
-            && same_bodies(&motion.bodies, &bodies)
+        // x, y and angle of one body are told as one thing; axes also where others follow in some of them only.
+        if body.is_some()
+            && let Some(last) = list.last_mut()
+            && body == last.body
+            && (same_bodies(&last.bodies, &bodies) || bodies.iter().any(Moving::has_axes))
         {
-            motion.coordinates.push(name);
-            for (old, new) in motion.bodies.iter_mut().zip(bodies) {
-                if old.motion != new.motion {
-                    old.motion = "moves and turns";
+            last.coordinates.push(name);
+            for new in bodies {
+                match last.bodies.iter_mut().find(|old| old.body == new.body) {
+                    Some(old) => old.merge(new),
+                    None => last.bodies.push(new),
                 }
             }
             continue;
         }
-        list.push((
+        list.push(Group {
             body,
-            FreeMotion {
-                coordinates: vec![name],
-                bodies,
-                rigid: body.is_some(),
-            },
-        ));
+            coordinates: vec![name],
+            bodies,
+        });
     }
-    list.into_iter().map(|(_, motion)| motion).collect()
+    list.into_iter().map(|group| group.told(system)).collect()
 }
 
-fn same_bodies(a: &[BodyMotion], b: &[BodyMotion]) -> bool {
+/// Motions that are told together.
+struct Group {
+    /// Body whose own coordinates measure them.
+    body: Option<usize>,
+    coordinates: Vec<String>,
+    bodies: Vec<Moving>,
+}
+
+impl Group {
+    fn told<S: Space>(self, system: &System<S>) -> FreeMotion {
+        // Axes say more than the names of coordinates, but where a body is free in all of them.
+        let by_axes = self.coordinates.len() < S::NV && self.bodies.iter().any(Moving::has_axes);
+        let as_one = self.bodies.windows(2).all(|p| p[0].as_one_with(&p[1]));
+        FreeMotion {
+            bodies: self.bodies.iter().map(|b| b.in_words(system)).collect(),
+            rigid: self.body.is_some() && as_one && !by_axes,
+            coordinates: self.coordinates,
+        }
+    }
+}
+
+fn same_bodies(a: &[Moving], b: &[Moving]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(x, y)| x.body == y.body)
 }
 
 /// Joint coordinates against the ground, other joint coordinates, coordinates of bodies, auxiliaries.
-fn candidates(
-    system: &System<Planar>,
-    ws: &Workspace<Planar>,
+fn candidates<S: Space>(
+    system: &System<S>,
+    ws: &Workspace<S>,
     motions: &DMatrix<f64>,
 ) -> Vec<Candidate> {
     let mut list = Vec::new();
@@ -112,7 +122,7 @@ fn candidates(
                 system.size
             };
             let rates = DVector::from_fn(motions.ncols(), |k, _| {
-                let rate = |marker: usize, gradient: &Vector3<f64>| {
+                let rate = |marker: usize, gradient: &S::Twist| {
                     gradient.dot(&twist(system, ws, marker, motions.column(k).as_slice()))
                 };
                 (rate(a, &m.first) + rate(b, &m.second)) / unit
@@ -127,32 +137,22 @@ fn candidates(
         }
     }
     let scale = column_scale(system);
+    // Where a body has several axes to turn about, its turns are told first: moves of the centre that turns bring along
+    // would hide the axes.
+    let turns_first = S::NV - S::LINEAR > 1;
     for (k, name) in system.coordinate_names().into_iter().enumerate() {
         let own = k < system.body_nv();
         list.push(Candidate {
             name,
-            body: own.then_some(k / 3),
-            class: if own { 2 } else { 3 },
+            body: own.then_some(k / S::NV),
+            class: match own {
+                true => 2 + usize::from(turns_first && k % S::NV < S::LINEAR),
+                false => 4,
+            },
             rates: motions.row(k).transpose() / scale[k],
         });
     }
     list
-}
-
-/// Twist of a marker when the coordinates move with the velocities `v`.
-fn twist(
-    system: &System<Planar>,
-    ws: &Workspace<Planar>,
-    marker: usize,
-    v: &[f64],
-) -> Vector3<f64> {
-    match system.markers[marker].body {
-        Some(b) => Planar::push(
-            &ws.markers[marker],
-            &Vector3::new(v[3 * b], v[3 * b + 1], v[3 * b + 2]),
-        ),
-        None => Vector3::zero(),
-    }
 }
 
 /// Independent coordinates, one for each motion: of every class the first good ones.
@@ -160,7 +160,7 @@ fn choose(candidates: &[Candidate], free: usize) -> Vec<usize> {
     let mut rest: Vec<DVector<f64>> = candidates.iter().map(|c| c.rates.clone()).collect();
     let overall = rest.iter().fold(0.0_f64, |m, r| m.max(r.norm()));
     let mut chosen = Vec::new();
-    for class in 0..=3 {
+    for class in 0..=4 {
         // A joint that hardly takes part is no measure; bodies take what remains.
         let least = if class < 2 { 1e-3 } else { 1e-8 } * overall;
         while chosen.len() < free {
@@ -181,58 +181,6 @@ fn choose(candidates: &[Candidate], free: usize) -> Vec<usize> {
         }
     }
     chosen
-}
-
-/// The bodies that move in a motion.
-fn moving(system: &System<Planar>, ws: &Workspace<Planar>, v: &DVector<f64>) -> Vec<BodyMotion> {
-    let scale = column_scale(system);
-    let largest = v
-        .iter()
-        .zip(&scale)
-        .fold(0.0_f64, |m, (x, s)| m.max((x / s).abs()));
-    let least = SILENT * largest;
-    let mut list = Vec::new();
-    for (b, body) in system.bodies.iter().enumerate() {
-        let speed = v[3 * b].hypot(v[3 * b + 1]) / system.size;
-        let (moves, turns) = (speed > least, v[3 * b + 2].abs() > least);
-        let on_ground = |kind: &str, fits: &dyn Fn(usize) -> bool| {
-            system.elements.iter().any(|e| {
-                e.kind == kind
-                    && e.bodies.len() == 1
-                    && e.bodies[0] == b
-                    && e.markers
-                        .iter()
-                        .any(|&m| system.markers[m].body == Some(b) && fits(m))
-            })
-        };
-        let motion = match (moves, turns) {
-            (false, false) => continue,
-            (false, true) => "turns",
-            (true, false) => {
-                if on_ground("prismatic", &|_| true) {
-                    "slides"
-                } else {
-                    "moves"
-                }
-            }
-            (true, true) => {
-                let still = |m: usize| {
-                    let t = twist(system, ws, m, v.as_slice());
-                    t.x.hypot(t.y) / system.size <= least
-                };
-                if on_ground("revolute", &still) {
-                    "turns"
-                } else {
-                    "moves and turns"
-                }
-            }
-        };
-        list.push(BodyMotion {
-            body: body.name.clone(),
-            motion,
-        });
-    }
-    list
 }
 
 impl fmt::Display for FreeMotion {

@@ -3,7 +3,7 @@
 use super::super::newton::{NewtonOptions, correct_positions};
 use super::super::weights::Weights;
 use crate::formulation::column_scale;
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{State, System, Workspace};
 use nalgebra::DMatrix;
 
@@ -24,8 +24,8 @@ impl Random {
 ///
 /// `step` is the largest change: relative to the machine's size, or in radians. A pose that falls
 /// back to where it came from (a motion that exists only to first order) is not returned.
-pub(super) fn nearby_poses(
-    system: &System<Planar>,
+pub(super) fn nearby_poses<S: Space>(
+    system: &System<S>,
     state: &State,
     motions: &DMatrix<f64>,
     count: usize,
@@ -54,9 +54,7 @@ pub(super) fn nearby_poses(
             continue;
         }
         let mut pose = state.clone();
-        for (x, d) in pose.q.iter_mut().zip(direction.iter()) {
-            *x += step / largest * d;
-        }
+        system.advance(&mut pose.q, step / largest, direction.as_slice());
         let found = correct_positions(
             system,
             &mut ws,
@@ -65,12 +63,11 @@ pub(super) fn nearby_poses(
             &NewtonOptions::default(),
             &mut trial,
         );
-        let moved = pose
-            .q
+        let moved = system
+            .difference(&state.q, &pose.q)
             .iter()
-            .zip(&state.q)
             .zip(&scale)
-            .fold(0.0_f64, |m, ((a, b), s)| m.max(((a - b) / s).abs()));
+            .fold(0.0_f64, |m, (d, s)| m.max((d / s).abs()));
         if found.is_ok() && moved > 0.1 * step {
             poses.push(pose);
         }
@@ -81,8 +78,8 @@ pub(super) fn nearby_poses(
 /// Dependent rows whose dependence ends with the second order along the free motions: with the
 /// combination y of rows that vanishes, y.J = 0, and a free motion d, y.C(q + h d) / h^2 stays
 /// away from zero. Rows that depend on each other all along a motion leave terms of third order.
-pub(super) fn bent_rows(
-    system: &System<Planar>,
+pub(super) fn bent_rows<S: Space>(
+    system: &System<S>,
     state: &State,
     redundant: &[(usize, Vec<(usize, f64)>)],
     motions: &DMatrix<f64>,
@@ -104,9 +101,7 @@ pub(super) fn bent_rows(
         let largest = direction.iter().zip(&scale).map(size).fold(0.0, f64::max);
         let side = |h: f64| {
             let mut pose = state.clone();
-            for (x, d) in pose.q.iter_mut().zip(direction.iter()) {
-                *x += h / largest * d;
-            }
+            system.advance(&mut pose.q, h / largest, direction.as_slice());
             super::ranked::evaluated(system, &pose).value
         };
         let (here, there) = (side(0.0), side(STEP));

@@ -4,12 +4,12 @@ use super::super::AnalysisError;
 use super::super::weights::Weights;
 use crate::formulation::column_scale;
 use crate::solve::{RankError, RowRank, analyse_rows, redundant_rows};
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{State, System, Workspace};
 
 /// What is known of the rows of a system at a pose.
 #[derive(Debug)]
-pub(super) struct Ranked {
+pub(super) struct Ranked<S: Space> {
     /// Number of independent rows.
     pub rank: usize,
     /// Dependent rows and the rows that they follow from, with their coefficients (none where only
@@ -18,11 +18,11 @@ pub(super) struct Ranked {
     /// Everything else; missing for a machine that is too large for a dense decomposition.
     pub dense: Option<RowRank>,
     /// Workspace with the markers and rows of the pose.
-    pub ws: Workspace<Planar>,
+    pub ws: Workspace<S>,
 }
 
 /// Evaluates the rows of a system at a state.
-pub(super) fn evaluated(system: &System<Planar>, state: &State) -> Workspace<Planar> {
+pub(super) fn evaluated<S: Space>(system: &System<S>, state: &State) -> Workspace<S> {
     let mut ws = Workspace::new(system);
     system.update_markers(&state.q, &state.v, &mut ws);
     system.evaluate_constraints(state.t, &mut ws);
@@ -30,7 +30,7 @@ pub(super) fn evaluated(system: &System<Planar>, state: &State) -> Workspace<Pla
 }
 
 /// Names the row behind a failed rank decision.
-fn blame(system: &System<Planar>, state: &State, error: RankError) -> AnalysisError {
+fn blame<S: Space>(system: &System<S>, state: &State, error: RankError) -> AnalysisError {
     match error {
         RankError::NotFinite { row, .. } => AnalysisError::NotFinite {
             element: system.row_name(row),
@@ -40,11 +40,11 @@ fn blame(system: &System<Planar>, state: &State, error: RankError) -> AnalysisEr
     }
 }
 
-impl Ranked {
+impl<S: Space> Ranked<S> {
     /// Ranks the rows of a system at a state: by singular values up to `dense_limit` columns, by
     /// the pivots of the sparse factors above.
     pub fn new(
-        system: &System<Planar>,
+        system: &System<S>,
         state: &State,
         tolerance: f64,
         dense_limit: usize,
@@ -107,7 +107,7 @@ impl Ranked {
 }
 
 /// The first row with an entry that is not finite.
-fn not_finite(system: &System<Planar>, ws: &Workspace<Planar>) -> Option<usize> {
+fn not_finite<S: Space>(system: &System<S>, ws: &Workspace<S>) -> Option<usize> {
     let probe = vec![1.0; system.nv()];
     let mut product = vec![0.0; system.rows];
     system.jac_mul(ws, &probe, &mut product);

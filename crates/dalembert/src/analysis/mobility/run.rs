@@ -8,7 +8,7 @@ use super::nearby::{bent_rows, nearby_poses};
 use super::ranked::Ranked;
 use super::report::{MobilityReport, Rank};
 use crate::network::{Network, TerminalGraph};
-use crate::space::Planar;
+use crate::space::Space;
 use crate::system::{Role, State, System};
 
 /// Mobility of a machine at an assembled pose, by rank.
@@ -50,14 +50,13 @@ impl Mobility {
     ///
     /// # Errors
     /// An element gives values that are not finite, or no rank decision is possible.
-    pub fn run(
+    pub fn run<S: Space>(
         &self,
-        system: &System<Planar>,
+        system: &System<S>,
         state: &State,
     ) -> Result<MobilityReport, AnalysisError> {
         let (undriven, driven) = (system.undriven(), system.running());
-        let rank =
-            |s: &System<Planar>, at: &State| Ranked::new(s, at, self.tolerance, self.dense_limit);
+        let rank = |s: &System<S>, at: &State| Ranked::new(s, at, self.tolerance, self.dense_limit);
         let own = rank(&undriven, state)?;
         let with_drivers = if driven.rows > undriven.rows {
             Some(rank(&driven, state)?)
@@ -134,12 +133,12 @@ impl Mobility {
         Ok(report)
     }
 
-    fn counts(
+    fn counts<S: Space>(
         &self,
-        system: &System<Planar>,
-        undriven: &System<Planar>,
-        driven: &System<Planar>,
-        ranked: [&Ranked; 2],
+        system: &System<S>,
+        undriven: &System<S>,
+        driven: &System<S>,
+        ranked: [&Ranked<S>; 2],
     ) -> MobilityReport {
         let columns = system.nv();
         MobilityReport {
@@ -164,7 +163,7 @@ impl Mobility {
         }
     }
 
-    fn warn(&self, system: &System<Planar>, report: &mut MobilityReport) {
+    fn warn<S: Space>(&self, system: &System<S>, report: &mut MobilityReport) {
         for part in Network::new(system, TerminalGraph::Arms).parts() {
             if part.unconnected() && system.bodies.len() > part.bodies.len() {
                 report.warnings.push(format!(
@@ -190,7 +189,7 @@ impl Mobility {
 }
 
 /// Keeps the pose with the largest rank, where it is above that of the pose in question or equal to it.
-fn keep_better(best: &mut Option<Ranked>, found: Ranked, own: usize) {
+fn keep_better<S: Space>(best: &mut Option<Ranked<S>>, found: Ranked<S>, own: usize) {
     let least = best.as_ref().map_or(own, |b| b.rank + 1);
     // An equal rank tells nothing new: the rows of the user's own pose are named then.
     if found.rank > own && found.rank >= least {
@@ -198,13 +197,13 @@ fn keep_better(best: &mut Option<Ranked>, found: Ranked, own: usize) {
     }
 }
 
-fn is_redundant(ranked: &Ranked, row: usize) -> bool {
+fn is_redundant<S: Space>(ranked: &Ranked<S>, row: usize) -> bool {
     ranked.redundant.iter().any(|(r, _)| *r == row)
 }
 
-fn rows_of(
-    system: &System<Planar>,
-    ranked: &Ranked,
+fn rows_of<S: Space>(
+    system: &System<S>,
+    ranked: &Ranked<S>,
     keep: impl Fn(usize) -> bool,
 ) -> Vec<Dependence> {
     ranked

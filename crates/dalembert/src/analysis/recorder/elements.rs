@@ -1,18 +1,17 @@
 //! Joint coordinates, reactions, drivers, force elements.
 
-use super::Recorder;
 use super::energy::driver_power;
 use super::reaction::{acceleration, reaction};
-use crate::joint::PlanarMeasure;
-use crate::space::{Planar, PlanarMarker, Space};
+use super::{LETTERS, Recorder, turns};
+use crate::joint::MeasureKind;
+use crate::space::{Space, Tuple, spread};
 use crate::system::{Role, System, Workspace};
-use nalgebra::{Vector2, Vector3};
 
 impl Recorder {
-    pub(super) fn element(
+    pub(super) fn element<S: Space>(
         &mut self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         number: usize,
         t: f64,
     ) {
@@ -29,10 +28,12 @@ impl Recorder {
             } else {
                 ("m", "m/s", "m/s^2")
             };
-            let meaning = match c.measure.kind {
-                PlanarMeasure::Angle => "angle of the second body from the first, counting turns",
-                PlanarMeasure::Distance => "distance of the two points",
-                _ => "displacement along the axis, second body from the first",
+            let meaning = if c.measure.kind.is_angle() {
+                "angle of the second body from the first, counting turns"
+            } else if c.measure.kind == S::Measure::DISTANCE {
+                "distance of the two points"
+            } else {
+                "displacement along the axis, second body from the first"
             };
             self.put(name, c.name, unit, meaning, m.value);
             self.put(
@@ -61,7 +62,7 @@ impl Recorder {
             self.put(
                 name,
                 &label.text,
-                "rad",
+                label.unit.symbol(),
                 "surface parameter",
                 ws.s[e.aux.start + k],
             );
@@ -70,7 +71,6 @@ impl Recorder {
             return;
         }
         let wrench = reaction(system, ws, number, e.reaction_marker, t, &mut self.scratch);
-        let axes = &ws.markers[e.markers[e.axes_marker]];
         if e.role == Role::Driver && e.rows.len() == 1 {
             // C = x - f(t): the driver pushes x with -lambda.
             let effort = -ws.lambda[e.rows.start];
@@ -96,42 +96,34 @@ impl Recorder {
             } else {
                 "reaction"
             };
-            self.put(
-                name,
-                "force_x",
-                "N",
-                &format!("{on} on the second body, ground x"),
-                wrench.x,
-            );
-            self.put(
-                name,
-                "force_y",
-                "N",
-                &format!("{on} on the second body, ground y"),
-                wrench.y,
-            );
-            self.put(
-                name,
-                "moment",
-                "N m",
-                &format!("{on} moment on the second body at the joint's point"),
-                wrench.z,
-            );
-            let f = Vector2::new(wrench.x, wrench.y);
-            self.put(
-                name,
-                "force_1",
-                "N",
-                &format!("{on} on the second body along the joint's x axis"),
-                axes.ex.dot(&f),
-            );
-            self.put(
-                name,
-                "force_2",
-                "N",
-                &format!("{on} on the second body along the joint's y axis"),
-                axes.ey().dot(&f),
-            );
+            let [force, moment] = spread::<S>(&wrench);
+            for (axis, x) in LETTERS[..S::LINEAR].iter().zip(&force) {
+                let meaning = format!("{on} on the second body, ground {axis}");
+                self.put(name, &format!("force_{axis}"), "N", &meaning, *x);
+            }
+            for (k, end, of) in turns::<S>() {
+                let meaning = format!("{on} moment on the second body at the joint's point{of}");
+                self.put(name, &format!("moment{end}"), "N m", &meaning, moment[k]);
+            }
+            let axes = S::axes(&ws.markers[e.markers[e.axes_marker]]);
+            let (force, moment) = (axes.tr_mul(&force), axes.tr_mul(&moment));
+            for (k, axis) in LETTERS[..S::LINEAR].iter().enumerate() {
+                let meaning = format!("{on} on the second body along the joint's {axis} axis");
+                self.put(name, &format!("force_{}", k + 1), "N", &meaning, force[k]);
+            }
+            if S::ANGULAR.len() > 1 {
+                for (k, axis) in LETTERS.iter().enumerate() {
+                    let meaning =
+                        format!("{on} moment on the second body about the joint's {axis} axis");
+                    self.put(
+                        name,
+                        &format!("moment_{}", k + 1),
+                        "N m",
+                        &meaning,
+                        moment[k],
+                    );
+                }
+            }
         }
         if e.role == Role::Driver {
             self.put(
@@ -145,15 +137,15 @@ impl Recorder {
     }
 
     /// Force elements; returns potential energy and the power of what has no potential.
-    pub(super) fn forces(
+    pub(super) fn forces<S: Space>(
         &mut self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         t: f64,
     ) -> (f64, f64) {
         let (mut potential, mut power) = (0.0, 0.0);
         for f in &system.forces {
-            let markers: Vec<PlanarMarker> = f.markers.iter().map(|&m| ws.markers[m]).collect();
+            let markers = ws.seen(&f.markers);
             let report = f.element.report(t, &markers);
             for (channel, value) in f.element.channels().iter().zip(report.values) {
                 self.put(
@@ -164,12 +156,12 @@ impl Recorder {
                     value,
                 );
             }
-            let mut wrench = vec![Vector3::zeros(); markers.len()];
+            let mut wrench = vec![S::Twist::zero(); markers.len()];
             f.element.wrenches(t, &markers, &mut wrench);
             let own: f64 = wrench
                 .iter()
                 .zip(&markers)
-                .map(|(w, m)| w.dot(&Planar::twist(m)))
+                .map(|(w, m)| w.dot(&S::twist(m)))
                 .sum();
             self.put(
                 &f.name,

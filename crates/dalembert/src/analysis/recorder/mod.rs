@@ -9,10 +9,11 @@ mod totals;
 pub(super) use energy::{energies, outside_power};
 
 use crate::results::{Channel, Results};
-use crate::space::Planar;
+use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::{State, System, Workspace};
 
-/// Records every coordinate, reaction, force, energy and violation of a planar machine.
+/// Records every coordinate, reaction, force, energy and violation of a machine.
 #[derive(Debug)]
 pub struct Recorder {
     channels: Vec<Channel>,
@@ -20,6 +21,8 @@ pub struct Recorder {
     scratch: Vec<f64>,
     /// Are accelerations and reactions recorded?
     dynamic: bool,
+    /// Coordinates in which orientations in space are written.
+    orientation: OrientationSet,
 }
 
 /// Quantities of an instant that the workspace does not hold.
@@ -31,6 +34,21 @@ pub struct Extra {
     pub start_energy: Option<f64>,
 }
 
+/// Letters of the axes of the ground.
+const LETTERS: [&str; 3] = ["x", "y", "z"];
+
+/// Angular components of a space: the place in a vector of space, the end of the channel's name, and of its meaning.
+fn turns<S: Space>() -> impl Iterator<Item = (usize, String, String)> {
+    let plane = S::ANGULAR.len() == 1;
+    S::ANGULAR.iter().map(move |&k| {
+        if plane {
+            return (k, String::new(), String::new());
+        }
+        let letter = LETTERS[k];
+        (k, format!("_{letter}"), format!(", ground {letter}"))
+    })
+}
+
 impl Recorder {
     /// A recorder; `dynamic` says whether accelerations and reactions belong to the results.
     pub fn new(dynamic: bool) -> Self {
@@ -39,7 +57,15 @@ impl Recorder {
             at: 0,
             scratch: Vec::new(),
             dynamic,
+            orientation: OrientationSet::EulerParameters,
         }
+    }
+
+    /// The same with other coordinates for orientations in space.
+    #[must_use]
+    pub fn with_orientation(mut self, set: OrientationSet) -> Self {
+        self.orientation = set;
+        self
     }
 
     /// The results so far.
@@ -71,12 +97,18 @@ impl Recorder {
         self.at += 1;
     }
 
+    /// The last values of the next channels, where there are any.
+    fn last(&self, count: usize) -> Option<Vec<f64>> {
+        let next = self.channels.get(self.at..self.at + count)?;
+        next.iter().map(|c| c.values.last().copied()).collect()
+    }
+
     /// Records one instant. The workspace must hold markers, constraints and (where dynamic)
     /// accelerations and multipliers of the state.
-    pub fn record(
+    pub fn record<S: Space>(
         &mut self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         state: &State,
         extra: Extra,
     ) {

@@ -1,123 +1,131 @@
 //! Motion of bodies and traces.
 
-use super::Recorder;
 use super::reaction::acceleration;
-use crate::space::{Planar, perpendicular};
+use super::{LETTERS, Recorder, turns};
+use crate::space::{Space, spread};
 use crate::system::{System, Workspace};
-use nalgebra::Vector2;
+use nalgebra::Vector3;
 
 impl Recorder {
-    pub(super) fn point(
+    pub(super) fn point<S: Space>(
         &mut self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         name: &str,
         marker: usize,
         what: &str,
     ) {
         let m = &ws.markers[marker];
-        let put = &mut |s: &mut Self, suffix, unit, text: &str, value| {
-            s.put(name, suffix, unit, &format!("{what}: {text}"), value);
-        };
-        put(self, "x", "m", "position, ground x", m.point.x);
-        put(self, "y", "m", "position, ground y", m.point.y);
-        put(
-            self,
-            "angle",
-            "rad",
-            "angle, counter-clockwise, counting turns",
-            m.angle,
-        );
-        put(self, "vx", "m/s", "velocity, ground x", m.velocity.x);
-        put(self, "vy", "m/s", "velocity, ground y", m.velocity.y);
-        put(self, "omega", "rad/s", "angular velocity", m.omega);
-        if self.dynamic {
-            let a = acceleration(system, ws, marker);
-            put(self, "ax", "m/s^2", "acceleration, ground x", a.x);
-            put(self, "ay", "m/s^2", "acceleration, ground y", a.y);
-            put(self, "alpha", "rad/s^2", "angular acceleration", a.z);
+        let axes = &LETTERS[..S::LINEAR];
+        for (axis, x) in axes.iter().zip(S::point(m)) {
+            let meaning = format!("{what}: position, ground {axis}");
+            self.put(name, axis, "m", &meaning, x);
+        }
+        let labels = S::attitude_labels(self.orientation);
+        let before = self.last(labels.len());
+        let attitude = S::attitude(m, self.orientation, before.as_deref());
+        for (label, x) in labels.iter().zip(attitude) {
+            let meaning = format!("{what}: {}", label.meaning);
+            self.put(name, &label.name, label.unit, &meaning, x);
+        }
+        let kinds = [
+            ("v", "m/s", "velocity", "omega", "rad/s", "angular velocity"),
+            (
+                "a",
+                "m/s^2",
+                "acceleration",
+                "alpha",
+                "rad/s^2",
+                "angular acceleration",
+            ),
+        ];
+        let rates = [S::twist(m), acceleration(system, ws, marker)];
+        let count = if self.dynamic { 2 } else { 1 };
+        for ((short, unit, text, turn, turn_unit, turn_text), rate) in
+            kinds.into_iter().zip(rates).take(count)
+        {
+            let [linear, angular] = spread::<S>(&rate);
+            for (axis, x) in axes.iter().zip(&linear) {
+                let meaning = format!("{what}: {text}, ground {axis}");
+                self.put(name, &format!("{short}{axis}"), unit, &meaning, *x);
+            }
+            for (k, end, of) in turns::<S>() {
+                let meaning = format!("{what}: {turn_text}{of}");
+                let suffix = format!("{turn}{end}");
+                self.put(name, &suffix, turn_unit, &meaning, angular[k]);
+            }
         }
     }
 
     /// Motion of a point as another body sees it, in that body's axes (Shabana 3.59 to 3.69).
-    pub(super) fn relative(
+    pub(super) fn relative<S: Space>(
         &mut self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         name: &str,
         marker: usize,
         observer: usize,
         body: &str,
     ) {
         let (p, o) = (&ws.markers[marker], &ws.markers[observer]);
-        let in_axes = |v: Vector2<f64>| Vector2::new(o.ex.dot(&v), o.ey().dot(&v));
-        let d = p.point - o.point;
+        let axes = S::axes(o);
+        let d = Vector3::from(S::point(p)) - Vector3::from(S::point(o));
+        let [v_p, w_p] = spread::<S>(&S::twist(p));
+        let [v_o, w_o] = spread::<S>(&S::twist(o));
         // v_p = v_o + w x d + v_rel
-        let v_rel = p.velocity - o.velocity - o.omega * perpendicular(&d);
-        let mut put = |suffix: &str, unit: &str, text: &str, value: Vector2<f64>| {
-            for (k, axis) in ["x", "y"].into_iter().enumerate() {
-                let meaning = format!("{text}, {axis} axis of {body}");
-                self.put(
-                    name,
-                    &format!("relative.{suffix}{axis}"),
-                    unit,
-                    &meaning,
-                    value[k],
-                );
-            }
-        };
-        put("", "m", &format!("position seen from {body}"), in_axes(d));
-        put(
-            "v",
-            "m/s",
-            &format!("velocity seen from {body}"),
-            in_axes(v_rel),
-        );
+        let v_rel = v_p - v_o - w_o.cross(&d);
+        let seen = |what: &str| format!("{what} seen from {body}");
+        let mut vectors = vec![
+            ("", "m", seen("position"), d),
+            ("v", "m/s", seen("velocity"), v_rel),
+        ];
         if self.dynamic {
-            let (a_p, a_o) = (
-                acceleration(system, ws, marker),
-                acceleration(system, ws, observer),
-            );
-            let coriolis = 2.0 * o.omega * perpendicular(&v_rel);
-            let carried =
-                Vector2::new(a_o.x, a_o.y) + a_o.z * perpendicular(&d) - o.omega * o.omega * d;
-            let a_rel = Vector2::new(a_p.x, a_p.y) - carried - coriolis;
-            let mut put = |suffix: &str, text: &str, value: Vector2<f64>| {
-                for (k, axis) in ["x", "y"].into_iter().enumerate() {
-                    let meaning = format!("{text}, {axis} axis of {body}");
-                    self.put(
-                        name,
-                        &format!("relative.{suffix}{axis}"),
-                        "m/s^2",
-                        &meaning,
-                        value[k],
-                    );
-                }
+            let [a_p, _] = spread::<S>(&acceleration(system, ws, marker));
+            let [a_o, alpha_o] = spread::<S>(&acceleration(system, ws, observer));
+            let coriolis = 2.0 * w_o.cross(&v_rel);
+            let carried = a_o + alpha_o.cross(&d) + w_o.cross(&w_o.cross(&d));
+            let a_rel = a_p - carried - coriolis;
+            let part = "Coriolis part of the acceleration 2 w x v_rel".to_owned();
+            vectors.push(("a", "m/s^2", seen("acceleration"), a_rel));
+            vectors.push(("coriolis_", "m/s^2", part, coriolis));
+        }
+        for (suffix, unit, text, vector) in vectors {
+            let vector = axes.tr_mul(&vector);
+            for (axis, x) in LETTERS[..S::LINEAR].iter().zip(&vector) {
+                let meaning = format!("{text}, {axis} axis of {body}");
+                let suffix = format!("relative.{suffix}{axis}");
+                self.put(name, &suffix, unit, &meaning, *x);
+            }
+        }
+        let relative = S::relative(o, p);
+        let labels = S::attitude_labels(self.orientation);
+        let before = self.last(labels.len());
+        let attitude = S::attitude(&relative, self.orientation, before.as_deref());
+        for (label, x) in labels.iter().zip(attitude) {
+            let kind = if S::ANGULAR.len() == 1 {
+                "angle"
+            } else {
+                label.meaning.as_str()
             };
-            put(
-                "a",
-                &format!("acceleration seen from {body}"),
-                in_axes(a_rel),
-            );
-            put(
-                "coriolis_",
-                "Coriolis part of the acceleration 2 w x v_rel",
-                in_axes(coriolis),
+            let meaning = format!("{kind} from {body}");
+            let suffix = format!("relative.{}", label.name);
+            self.put(name, &suffix, label.unit, &meaning, x);
+        }
+        let w = axes.tr_mul(&(w_p - w_o));
+        for (k, end, _) in turns::<S>() {
+            let of = if end.is_empty() {
+                String::new()
+            } else {
+                format!(", {} axis of it", LETTERS[k])
+            };
+            let meaning = format!("angular velocity from {body}{of}");
+            self.put(
+                name,
+                &format!("relative.omega{end}"),
+                "rad/s",
+                &meaning,
+                w[k],
             );
         }
-        self.put(
-            name,
-            "relative.angle",
-            "rad",
-            &format!("angle from {body}"),
-            p.angle - o.angle,
-        );
-        self.put(
-            name,
-            "relative.omega",
-            "rad/s",
-            &format!("angular velocity from {body}"),
-            p.omega - o.omega,
-        );
     }
 }

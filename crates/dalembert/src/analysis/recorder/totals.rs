@@ -1,15 +1,15 @@
 //! Energies, momentum and violation of the whole machine.
 
 use super::energy::{driver_power, energies, momentum};
-use super::{Extra, Recorder};
-use crate::space::Planar;
-use crate::system::{Role, State, System, Workspace};
+use super::{Extra, LETTERS, Recorder, turns};
+use crate::space::{Space, spread};
+use crate::system::{State, System, Workspace};
 
 impl Recorder {
-    pub(super) fn totals(
+    pub(super) fn totals<S: Space>(
         &mut self,
-        system: &System<Planar>,
-        ws: &Workspace<Planar>,
+        system: &System<S>,
+        ws: &Workspace<S>,
         state: &State,
         extra: Extra,
         (elastic, power): (f64, f64),
@@ -32,12 +32,8 @@ impl Recorder {
             kinetic + potential,
         );
         if self.dynamic {
-            let drivers: f64 = system
-                .elements
-                .iter()
-                .filter(|e| e.role == Role::Driver)
-                .map(|e| driver_power(ws, e.rows.clone()))
-                .sum();
+            let drivers = system.drivers().map(|e| driver_power(ws, e.rows.clone()));
+            let drivers: f64 = drivers.sum();
             self.put(
                 "energy",
                 "power",
@@ -63,27 +59,16 @@ impl Recorder {
             );
         }
         let momentum = momentum(system, ws, &state.v);
-        self.put(
-            "momentum",
-            "x",
-            "kg m/s",
-            "linear momentum, ground x",
-            momentum.x,
-        );
-        self.put(
-            "momentum",
-            "y",
-            "kg m/s",
-            "linear momentum, ground y",
-            momentum.y,
-        );
-        self.put(
-            "momentum",
-            "angular",
-            "kg m^2/s",
-            "angular momentum about the origin",
-            momentum.z,
-        );
+        let [linear, angular] = spread::<S>(&momentum);
+        for (axis, x) in LETTERS[..S::LINEAR].iter().zip(&linear) {
+            let meaning = format!("linear momentum, ground {axis}");
+            self.put("momentum", axis, "kg m/s", &meaning, *x);
+        }
+        for (k, end, of) in turns::<S>() {
+            let meaning = format!("angular momentum about the origin{of}");
+            let suffix = format!("angular{end}");
+            self.put("momentum", &suffix, "kg m^2/s", &meaning, angular[k]);
+        }
         let (violation, _) = system.violation(ws);
         self.put(
             "violation",

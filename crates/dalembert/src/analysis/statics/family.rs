@@ -5,8 +5,8 @@ use super::search::{distance, weights};
 use super::solution::Solution;
 use super::stability::neutral_motions;
 use crate::analysis::AnalysisError;
+use crate::space::Space;
 use nalgebra::{DMatrix, DVector};
-use std::f64::consts::PI;
 
 /// Poses as near as this are one; the last step of a walk lands far closer.
 const REACHED: f64 = 1e-6;
@@ -14,29 +14,29 @@ const REACHED: f64 = 1e-6;
 const STEPS: usize = 30;
 
 /// Solves for the equilibrium near a pose.
-type Settle<'a> = dyn Fn(&mut Problem<'_>, &[f64]) -> Result<Solution, AnalysisError> + 'a;
+type Settle<'a, S> = dyn Fn(&mut Problem<'_, S>, &[f64]) -> Result<Solution, AnalysisError> + 'a;
 
 /// Is there a way from an equilibrium to a pose that stays in equilibrium? It is looked for step by
 /// step along the neutral motions, each step corrected to equilibrium by `settle`.
-pub(super) fn connected(
-    problem: &mut Problem<'_>,
+pub(super) fn connected<S: Space>(
+    problem: &mut Problem<'_, S>,
     from: &[f64],
     to: &[f64],
-    settle: &Settle<'_>,
+    settle: &Settle<'_, S>,
 ) -> bool {
     walk(problem, from, to, settle).unwrap_or(false)
 }
 
-fn walk(
-    problem: &mut Problem<'_>,
+fn walk<S: Space>(
+    problem: &mut Problem<'_, S>,
     from: &[f64],
     to: &[f64],
-    settle: &Settle<'_>,
+    settle: &Settle<'_, S>,
 ) -> Result<bool, AnalysisError> {
     let mut q = from.to_vec();
     let weights = weights(problem);
     let length = |d: &DVector<f64>| d.component_mul(&weights).dot(d).sqrt();
-    let mut left = difference(problem, &q, to);
+    let mut left = problem.shorter_way(&q, to);
     for _ in 0..STEPS {
         if distance(problem, &q, to) < REACHED {
             return Ok(true);
@@ -58,7 +58,7 @@ fn walk(
             return Ok(false);
         }
         q = settled.q;
-        let next = difference(problem, &q, to);
+        let next = problem.shorter_way(&q, to);
         // A walk that comes no nearer has met the end of the family.
         if length(&next) > 0.98 * length(&left) {
             return Ok(distance(problem, &q, to) < REACHED);
@@ -66,20 +66,4 @@ fn walk(
         left = next;
     }
     Ok(false)
-}
-
-/// The scaled way from one pose to another; angles by the shorter way round.
-fn difference(problem: &Problem<'_>, from: &[f64], to: &[f64]) -> DVector<f64> {
-    let bodies = problem.system.bodies.len();
-    DVector::from_fn(from.len(), |k, _| {
-        let d = (to[k] - from[k]) / problem.unit[k];
-        if k >= 3 * bodies {
-            // Auxiliary coordinates follow the bodies.
-            0.0
-        } else if k % 3 == 2 {
-            d - 2.0 * PI * (d / (2.0 * PI)).round()
-        } else {
-            d
-        }
-    })
 }

@@ -5,13 +5,13 @@ use super::motions::Motions;
 use super::problem::Problem;
 use crate::analysis::recorder::{Extra, Recorder};
 use crate::analysis::{AnalysisError, NewtonOptions};
-use crate::joint::Measure;
+use crate::joint::{Measure, MeasureKind};
 use crate::results::Results;
 use crate::solve::rank::Svd;
-use crate::space::Planar;
+use crate::space::{Space, Tuple};
 use crate::system::{ElementData, Role, State, System};
 use crate::words::listed;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
 /// A load whose size is wanted.
@@ -79,8 +79,8 @@ struct Direction {
 /// # Errors
 /// An unknown does not exist, the pose cannot be assembled, several drivers hold what an unknown
 /// load is to hold, or no sizes of these loads hold the pose.
-pub fn holding_loads(
-    system: &System<Planar>,
+pub fn holding_loads<S: Space>(
+    system: &System<S>,
     state: &State,
     unknowns: &[Unknown],
 ) -> Result<HoldingLoads, AnalysisError> {
@@ -90,10 +90,23 @@ pub fn holding_loads(
     let mut q = state.q.clone();
     problem.assemble(&mut q)?;
     problem.evaluate(&q)?;
+    let mut found = loads_at(&problem, unknowns)?;
+    let results = record(&mut problem, &q, &found.multipliers, unknowns);
+    let notes = std::mem::replace(&mut found.results, results).notes;
+    found.results.notes.extend(notes);
+    Ok(found)
+}
+
+/// The loads at the evaluated pose of a problem; of the results only the notes.
+pub(super) fn loads_at<S: Space>(
+    problem: &Problem<'_, S>,
+    unknowns: &[Unknown],
+) -> Result<HoldingLoads, AnalysisError> {
+    let running = problem.system;
     let scale = problem.force_scale();
     let directions = unknowns
         .iter()
-        .map(|u| direction(&problem, u))
+        .map(|u| direction(problem, u))
         .collect::<Result<Vec<_>, _>>()?;
 
     // What remains when the unknown elements are taken away.
@@ -110,10 +123,10 @@ pub fn holding_loads(
     for row in directions.iter().filter_map(|d| d.row) {
         held.row_mut(row).fill(0.0);
     }
-    let released = release(&problem, &mut held, &directions, unknowns, &known)?;
-    let motions = Motions::of(&problem, &held)?;
+    let released = release(problem, &mut held, &directions, unknowns, &known)?;
+    let motions = Motions::of(problem, &held)?;
     let basis = &motions.basis;
-    let loads = solve(&problem, basis, &directions, &known)?;
+    let loads = solve(problem, basis, &directions, &known)?;
 
     let mut total = known;
     for (d, (value, _)) in directions.iter().zip(&loads) {
@@ -121,7 +134,7 @@ pub fn holding_loads(
     }
     let rest = basis * (basis.transpose() * &total);
     if rest.amax() > 1e-9 * scale.max(total.amax()) {
-        let (coordinate, residual) = largest(&problem, &rest);
+        let (coordinate, residual) = largest(problem, &rest);
         return Err(AnalysisError::NoEquilibrium {
             coordinate,
             residual,
@@ -149,7 +162,7 @@ pub fn holding_loads(
         .iter()
         .map(|&e| running.elements[e].name.clone())
         .collect();
-    let mut results = record(&mut problem, &q, &multipliers, unknowns);
+    let mut results = Results::default();
     results.notes.extend(released.iter().map(|name| {
         format!("driver {name} holds the machine as well: it was left out, so that the loads asked for hold instead of it")
     }));
@@ -171,8 +184,8 @@ pub fn holding_loads(
 }
 
 /// Clears the rows of drivers that leave an unknown load nothing to hold; returns their elements.
-fn release(
-    problem: &Problem<'_>,
+fn release<S: Space>(
+    problem: &Problem<'_, S>,
     held: &mut DMatrix<f64>,
     directions: &[Direction],
     unknowns: &[Unknown],
@@ -231,7 +244,7 @@ fn release(
     Ok(released)
 }
 
-fn without_rows(held: &DMatrix<f64>, element: &ElementData<Planar>) -> DMatrix<f64> {
+fn without_rows<S: Space>(held: &DMatrix<f64>, element: &ElementData<S>) -> DMatrix<f64> {
     let mut rest = held.clone();
     for row in element.rows.clone() {
         rest.row_mut(row).fill(0.0);
@@ -240,8 +253,8 @@ fn without_rows(held: &DMatrix<f64>, element: &ElementData<Planar>) -> DMatrix<f
 }
 
 /// Sizes of the loads by least squares in the free motions, and whether each is unique.
-fn solve(
-    problem: &Problem<'_>,
+fn solve<S: Space>(
+    problem: &Problem<'_, S>,
     basis: &DMatrix<f64>,
     directions: &[Direction],
     known: &DVector<f64>,
@@ -269,14 +282,17 @@ fn solve(
         .collect())
 }
 
-fn direction(problem: &Problem<'_>, unknown: &Unknown) -> Result<Direction, AnalysisError> {
+fn direction<S: Space>(
+    problem: &Problem<'_, S>,
+    unknown: &Unknown,
+) -> Result<Direction, AnalysisError> {
     match unknown {
         Unknown::Effort(name) => effort(problem, name),
         Unknown::Force(name) => force(problem, name),
     }
 }
 
-fn effort(problem: &Problem<'_>, name: &str) -> Result<Direction, AnalysisError> {
+fn effort<S: Space>(problem: &Problem<'_, S>, name: &str) -> Result<Direction, AnalysisError> {
     let bad = |detail: &str| AnalysisError::BadName {
         what: "joint or driver",
         name: name.to_owned(),
@@ -311,7 +327,11 @@ fn effort(problem: &Problem<'_>, name: &str) -> Result<Direction, AnalysisError>
 }
 
 /// Generalized force of a unit effort along a measure of an element: its gradient.
-fn along(problem: &Problem<'_>, element: &ElementData<Planar>, measure: Measure) -> DVector<f64> {
+fn along<S: Space>(
+    problem: &Problem<'_, S>,
+    element: &ElementData<S>,
+    measure: Measure<S>,
+) -> DVector<f64> {
     let (first, second) = (
         element.markers[measure.first],
         element.markers[measure.second],
@@ -322,7 +342,7 @@ fn along(problem: &Problem<'_>, element: &ElementData<Planar>, measure: Measure)
     problem.generalized(&[(first, m.first), (second, m.second)])
 }
 
-fn force(problem: &Problem<'_>, name: &str) -> Result<Direction, AnalysisError> {
+fn force<S: Space>(problem: &Problem<'_, S>, name: &str) -> Result<Direction, AnalysisError> {
     let bad = |detail: &str| AnalysisError::BadName {
         what: "force",
         name: name.to_owned(),
@@ -335,13 +355,20 @@ fn force(problem: &Problem<'_>, name: &str) -> Result<Direction, AnalysisError> 
         .find(|f| f.name == name)
         .ok_or_else(|| bad("there is no force element of this name"))?;
     let wrenches = problem.wrenches(element);
-    let largest =
-        |part: fn(&Vector3<f64>) -> f64| wrenches.iter().map(|(_, w)| part(w)).fold(0.0, f64::max);
-    let linear = largest(|w| w.x.hypot(w.y));
+    let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
+    let parts = || {
+        wrenches
+            .iter()
+            .map(|(_, w)| w.as_slice().split_at(S::LINEAR))
+    };
+    let linear = parts().map(|(force, _)| norm(force)).fold(0.0, f64::max);
     let (magnitude, unit) = if linear > 0.0 {
         (linear, "N")
     } else {
-        (largest(|w| w.z.abs()), "N m")
+        (
+            parts().map(|(_, moment)| norm(moment)).fold(0.0, f64::max),
+            "N m",
+        )
     };
     let unit_force = problem.generalized(&wrenches) / magnitude;
     if magnitude == 0.0 || unit_force.norm() == 0.0 {
@@ -356,8 +383,8 @@ fn force(problem: &Problem<'_>, name: &str) -> Result<Direction, AnalysisError> 
     })
 }
 
-fn record(
-    problem: &mut Problem<'_>,
+fn record<S: Space>(
+    problem: &mut Problem<'_, S>,
     q: &[f64],
     multipliers: &[f64],
     unknowns: &[Unknown],
@@ -367,7 +394,7 @@ fn record(
     let state = State {
         t: problem.time(),
         q: q.to_vec(),
-        v: vec![0.0; q.len()],
+        v: vec![0.0; problem.system.nv()],
     };
     let mut recorder = Recorder::new(true);
     recorder.record(problem.system, &problem.ws, &state, Extra::default());

@@ -7,10 +7,13 @@ mod holding;
 mod motions;
 mod multipliers;
 mod problem;
+mod record;
 mod reduced;
 mod report;
 mod search;
 mod solution;
+#[cfg(test)]
+mod spatial_test;
 mod stability;
 
 pub use holding::{HoldingLoad, HoldingLoads, Unknown, holding_loads};
@@ -18,16 +21,16 @@ pub use report::{Equilibrium, StaticsReport};
 pub use stability::Stability;
 
 use super::newton::NewtonOptions;
-use super::open_reactions::OpenReactions;
-use super::recorder::{Extra, Recorder};
 use super::{AnalysisError, Assembly};
-use crate::results::{Channel, Results};
-use crate::space::Planar;
+use crate::results::Results;
+use crate::space::Space;
+use crate::space::orientation::OrientationSet;
 use crate::system::System;
 use family::connected;
 use motions::Motions;
 use nalgebra::DVector;
 use problem::Problem;
+use record::record;
 use search::{Numbers, distance, target, wander};
 use solution::{Goal, Solution};
 use stability::judge;
@@ -60,6 +63,8 @@ pub struct Statics {
     pub seed: u64,
     /// Newton's options for the constraints.
     pub newton: NewtonOptions,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 impl Default for Statics {
@@ -71,6 +76,7 @@ impl Default for Statics {
             starts: None,
             seed: 1,
             newton: NewtonOptions::default(),
+            orientation: OrientationSet::default(),
         }
     }
 }
@@ -105,12 +111,25 @@ impl Statics {
     ///
     /// # Errors
     /// The machine cannot be assembled, or no equilibrium was found.
-    pub fn run(&self, system: &System<Planar>) -> Result<StaticsReport, AnalysisError> {
+    pub fn run<S: Space>(&self, system: &System<S>) -> Result<StaticsReport, AnalysisError> {
         let running = system.running();
         let mut problem = Problem::new(&running, self.newton);
-        let estimate = self.assemble(system, &mut problem)?;
+        let mut report = self.search(system, &mut problem)?;
+        let results = record(&mut problem, &report.equilibria, self.orientation)?;
+        let notes = std::mem::replace(&mut report.results, results).notes;
+        report.results.notes.extend(notes);
+        Ok(report)
+    }
+
+    /// The equilibria of a system, whose running part is that of the problem; of the results only the notes.
+    fn search<S: Space>(
+        &self,
+        system: &System<S>,
+        problem: &mut Problem<'_, S>,
+    ) -> Result<StaticsReport, AnalysisError> {
+        let estimate = self.assemble(system, problem)?;
         problem.evaluate(&estimate)?;
-        let freedoms = Motions::new(&problem)?.basis.ncols();
+        let freedoms = Motions::new(problem)?.basis.ncols();
         // Machines with many freedoms have more unstable equilibria than anyone wants to read, and
         // each run takes the cube of the freedoms.
         let all = self.starts.is_some() || freedoms <= MANY;
@@ -125,17 +144,17 @@ impl Statics {
         };
         // From the estimate itself errors count; from other poses they only mean that there is
         // nothing to be found that way.
-        let first = self.solve(&mut problem, &estimate, Goal::Rest)?;
-        self.keep(&mut problem, &mut found, &estimate, &first)?;
-        if let Ok(any) = self.solve(&mut problem, &estimate, Goal::Any) {
-            self.keep(&mut problem, &mut found, &estimate, &any)?;
+        let first = self.solve(problem, &estimate, Goal::Rest)?;
+        self.keep(problem, &mut found, &estimate, &first)?;
+        if let Ok(any) = self.solve(problem, &estimate, Goal::Any) {
+            self.keep(problem, &mut found, &estimate, &any)?;
         }
         let mut starts = 1;
         let mut numbers = Numbers(self.seed);
         let further = if freedoms == 0 { 0 } else { wanted };
         for number in 0..further {
-            let wanted = target(&problem, number, &mut numbers);
-            let Ok(from) = wander(&mut problem, &estimate, &wanted) else {
+            let wanted = target(problem, number, &mut numbers);
+            let Ok(from) = wander(problem, &estimate, &wanted) else {
                 continue;
             };
             starts += 1;
@@ -144,16 +163,16 @@ impl Statics {
             } else {
                 &[Goal::Rest]
             };
-            self.try_from(&mut problem, &mut found, &estimate, &from, goals)?;
-            self.leave_unstable(&mut problem, &mut found, &estimate)?;
+            self.try_from(problem, &mut found, &estimate, &from, goals)?;
+            self.leave_unstable(problem, &mut found, &estimate)?;
         }
-        self.leave_unstable(&mut problem, &mut found, &estimate)?;
+        self.leave_unstable(problem, &mut found, &estimate)?;
         if found.equilibria.is_empty() {
-            return Err(diagnosis::none(&mut problem, &estimate, &first, starts));
+            return Err(diagnosis::none(problem, &first, starts));
         }
         let mut equilibria = found.equilibria;
         sort(&mut equilibria);
-        let mut results = record(&mut problem, &equilibria)?;
+        let mut results = Results::default();
         if !all {
             results.notes.push(format!(
                 "the machine has {freedoms} freedoms: further poses at which it comes to rest were looked for from {further} poses only, unstable ones not at all; set the number of starts to look for more"
@@ -161,6 +180,7 @@ impl Statics {
         }
         Ok(StaticsReport {
             time: problem.time(),
+            velocities: problem.system.nv(),
             equilibria,
             freedoms,
             starts,
@@ -169,10 +189,10 @@ impl Statics {
     }
 
     /// The estimate on the constraints; initial conditions hold at the start where they can.
-    fn assemble(
+    fn assemble<S: Space>(
         &self,
-        system: &System<Planar>,
-        problem: &mut Problem<'_>,
+        system: &System<S>,
+        problem: &mut Problem<'_, S>,
     ) -> Result<Vec<f64>, AnalysisError> {
         let assembly = Assembly {
             newton: self.newton,
@@ -185,9 +205,9 @@ impl Statics {
         Ok(q)
     }
 
-    fn solve(
+    fn solve<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         from: &[f64],
         goal: Goal,
     ) -> Result<Solution, AnalysisError> {
@@ -197,18 +217,26 @@ impl Statics {
             }
             Route::Multipliers => {
                 // Newton's method on the whole system knows no downhill: it takes over near the end.
-                let near = match goal {
-                    Goal::Rest => reduced::solve(problem, from, goal, NEAR, self.max_iterations)?.q,
-                    Goal::Any => from.to_vec(),
+                let (near, way) = match goal {
+                    Goal::Rest => {
+                        let near = reduced::solve(problem, from, goal, NEAR, self.max_iterations)?;
+                        (near.q, near.way)
+                    }
+                    Goal::Any => (from.to_vec(), DVector::zeros(problem.unit.len())),
                 };
-                multipliers::solve(problem, &near, self.tolerance, self.max_iterations)
+                let found =
+                    multipliers::solve(problem, &near, self.tolerance, self.max_iterations)?;
+                Ok(Solution {
+                    way: way + &found.way,
+                    ..found
+                })
             }
         }
     }
 
-    fn try_from(
+    fn try_from<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         found: &mut Found,
         estimate: &[f64],
         from: &[f64],
@@ -223,9 +251,9 @@ impl Statics {
     }
 
     /// Follows the ways down from unstable equilibria: a stable one may lie at their end.
-    fn leave_unstable(
+    fn leave_unstable<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         found: &mut Found,
         estimate: &[f64],
     ) -> Result<(), AnalysisError> {
@@ -241,9 +269,9 @@ impl Statics {
         Ok(())
     }
 
-    fn keep(
+    fn keep<S: Space>(
         &self,
-        problem: &mut Problem<'_>,
+        problem: &mut Problem<'_, S>,
         found: &mut Found,
         estimate: &[f64],
         solution: &Solution,
@@ -258,7 +286,7 @@ impl Statics {
         found.scale = found.scale.max(solution.scale);
         let scale = found.scale;
         let same = |x: f64, y: f64| (x - y).abs() <= 1e-8 * (scale + x.abs());
-        let settle = |problem: &mut Problem<'_>, q: &[f64]| {
+        let settle = |problem: &mut Problem<'_, S>, q: &[f64]| {
             reduced::solve(problem, q, Goal::Any, self.tolerance, self.max_iterations)
         };
         let mut known = false;
@@ -318,70 +346,4 @@ fn sort(equilibria: &mut [Equilibrium]) {
             .cmp(&class(b))
             .then(a.distance.total_cmp(&b.distance))
     });
-}
-
-/// One instant for each equilibrium.
-fn record(problem: &mut Problem<'_>, equilibria: &[Equilibrium]) -> Result<Results, AnalysisError> {
-    let mut recorder = Recorder::new(true);
-    let mut open = OpenReactions::default();
-    let system = problem.system;
-    for (k, e) in equilibria.iter().enumerate() {
-        problem.evaluate(&e.q)?;
-        problem.ws.a.fill(0.0);
-        problem.ws.lambda.copy_from_slice(&e.multipliers);
-        let state = crate::system::State {
-            t: problem.time(),
-            q: e.q.clone(),
-            v: vec![0.0; e.q.len()],
-        };
-        recorder.record(system, &problem.ws, &state, Extra::default());
-        open.pose(&problem.not_unique(), || {
-            format!("at equilibrium {}", k + 1)
-        });
-    }
-    let mut results = recorder.into_results(&system.name, "statics");
-    let mut put = |name: &str, unit: &str, meaning: &str, value: &dyn Fn(usize) -> f64| {
-        results.channels.push(Channel {
-            name: format!("equilibrium.{name}"),
-            unit: unit.to_owned(),
-            meaning: meaning.to_owned(),
-            values: (0..equilibria.len()).map(value).collect(),
-        });
-    };
-    put("number", "", "number of the equilibrium, from 1", &|k| {
-        (k + 1) as f64
-    });
-    put(
-        "stability",
-        "",
-        "1 stable, 0 neutral, -1 unstable",
-        &|k| match equilibria[k].stability {
-            Stability::Stable => 1.0,
-            Stability::Neutral => 0.0,
-            Stability::Unstable => -1.0,
-        },
-    );
-    put(
-        "distance",
-        "",
-        "distance from the estimate: displacement relative to the size, or turn [rad]",
-        &|k| equilibria[k].distance,
-    );
-    let first = &equilibria[0];
-    results
-        .statistics
-        .insert("iterations".to_owned(), first.iterations as f64);
-    results
-        .statistics
-        .insert("residual".to_owned(), first.residual);
-    results.notes.extend(open.notes());
-    for (k, e) in equilibria.iter().enumerate() {
-        if !e.conservative {
-            results.notes.push(format!(
-                "equilibrium {}: forces without potential act; its stiffness alone does not exclude flutter",
-                k + 1
-            ));
-        }
-    }
-    Ok(results)
 }

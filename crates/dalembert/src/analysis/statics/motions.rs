@@ -3,6 +3,7 @@
 use super::problem::Problem;
 use crate::analysis::AnalysisError;
 use crate::solve::rank::Svd;
+use crate::space::Space;
 use faer::Mat;
 use nalgebra::{DMatrix, DVector};
 
@@ -36,12 +37,15 @@ enum RowSpace {
 
 impl Motions {
     /// At the evaluated pose of a problem.
-    pub fn new(problem: &Problem<'_>) -> Result<Self, AnalysisError> {
+    pub fn new<S: Space>(problem: &Problem<'_, S>) -> Result<Self, AnalysisError> {
         Self::of(problem, &problem.jacobian())
     }
 
     /// Of a scaled Jacobian.
-    pub fn of(problem: &Problem<'_>, jacobian: &DMatrix<f64>) -> Result<Self, AnalysisError> {
+    pub fn of<S: Space>(
+        problem: &Problem<'_, S>,
+        jacobian: &DMatrix<f64>,
+    ) -> Result<Self, AnalysisError> {
         if let Some(regular) = Self::regular(jacobian) {
             return Ok(regular);
         }

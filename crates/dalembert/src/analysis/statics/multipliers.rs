@@ -5,6 +5,7 @@ use super::problem::{Problem, step_limit};
 use super::reduced::least_squares;
 use super::solution::Solution;
 use crate::analysis::AnalysisError;
+use crate::space::Space;
 use nalgebra::{DMatrix, DVector};
 
 /// Singular values below this part of the largest count as zero: redundant rows, neutral motions.
@@ -13,8 +14,8 @@ const SINGULAR: f64 = 1e-11;
 const POLISHING: usize = 6;
 
 /// Residuals of both kinds: unbalanced forces over the force unit, then rows in their units.
-fn residual(
-    problem: &mut Problem<'_>,
+fn residual<S: Space>(
+    problem: &mut Problem<'_, S>,
     q: &[f64],
     lambda: &DVector<f64>,
     unit: f64,
@@ -32,8 +33,8 @@ fn residual(
 }
 
 /// Solves from a pose; the multipliers start by least squares.
-pub(super) fn solve(
-    problem: &mut Problem<'_>,
+pub(super) fn solve<S: Space>(
+    problem: &mut Problem<'_, S>,
     start: &[f64],
     tolerance: f64,
     max_iterations: usize,
@@ -41,7 +42,8 @@ pub(super) fn solve(
     let mut q = start.to_vec();
     problem.evaluate(&q)?;
     let mut lambda = Motions::new(problem)?.multipliers(&problem.forces());
-    let (n, m) = (q.len(), lambda.len());
+    let (n, m) = (problem.unit.len(), lambda.len());
+    let mut way = DVector::zeros(n);
     let everything = DMatrix::identity(n, n);
     let mut scale = problem.force_scale();
     // Where no force acts at the start, the stiffness gives the unit of forces.
@@ -56,7 +58,7 @@ pub(super) fn solve(
         let size = r.norm();
         let met = size * unit <= tolerance * scale || tiny_step;
         if size == 0.0 || (met && polished >= POLISHING) || iterations >= max_iterations {
-            return finish(problem, q, scale, iterations, met || size == 0.0);
+            return finish(problem, q, way, scale, iterations, met || size == 0.0);
         }
         let k = problem.stiffness(&q, &lambda, &everything)?;
         problem.evaluate(&q)?;
@@ -89,9 +91,10 @@ pub(super) fn solve(
             factor *= 0.5;
         };
         let Some(next) = next else {
-            return finish(problem, q, scale, iterations, met);
+            return finish(problem, q, way, scale, iterations, met);
         };
         tiny_step = full && answers && dq.amax() <= 1e-10;
+        way += problem.difference(&q, &next.0);
         (q, lambda, r) = next;
         scale = scale.max(problem.force_scale());
         polished += usize::from(met);
@@ -100,9 +103,10 @@ pub(super) fn solve(
 
 /// The multipliers are reported by least squares as in the other route: with redundant constraints
 /// Newton's method would leave whichever it came to.
-fn finish(
-    problem: &mut Problem<'_>,
+fn finish<S: Space>(
+    problem: &mut Problem<'_, S>,
     q: Vec<f64>,
+    way: DVector<f64>,
     scale: f64,
     iterations: usize,
     converged: bool,
@@ -118,6 +122,7 @@ fn finish(
         unbalanced,
         scale,
         q,
+        way,
         iterations,
         converged,
     })

@@ -6,9 +6,10 @@ use crate::analysis::meeting::Meeting;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
 use crate::solve::RankError;
-use crate::space::{Planar, PlanarMarker, Space};
+use crate::space::{Space, Tuple};
 use crate::system::{ForceData, State, System, Workspace};
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
 
 /// Distance of the points of a central difference, in units of the machine's size and of radians:
 /// the cube root of the rounding error balances truncation and rounding.
@@ -18,10 +19,9 @@ const DIFFERENCE: f64 = 1e-5;
 ///
 /// Coordinates are scaled: lengths count in units of the machine's size, so generalized forces are
 /// energies [J], and rows count in units of their row scales.
-#[derive(Debug)]
-pub(super) struct Problem<'a> {
-    pub system: &'a System<Planar>,
-    pub ws: Workspace<Planar>,
+pub(super) struct Problem<'a, S: Space> {
+    pub system: &'a System<S>,
+    pub ws: Workspace<S>,
     /// Size of a unit of each coordinate.
     pub unit: DVector<f64>,
     /// Unit of each row.
@@ -29,17 +29,17 @@ pub(super) struct Problem<'a> {
     pub newton: NewtonOptions,
     weights: Weights,
     least: LeastReactions,
-    meeting: Meeting,
+    meeting: Meeting<S>,
     state: State,
     trial: Vec<f64>,
 }
 
-impl<'a> Problem<'a> {
-    pub fn new(system: &'a System<Planar>, newton: NewtonOptions) -> Self {
+impl<'a, S: Space> Problem<'a, S> {
+    /// Poses are refused at which points meet that an element acts between.
+    pub fn new(system: &'a System<S>, newton: NewtonOptions) -> Self {
         let mut unit = DVector::from_element(system.nv(), 1.0);
-        for b in 0..system.bodies.len() {
-            unit[3 * b] = system.size;
-            unit[3 * b + 1] = system.size;
+        for k in (0..system.body_nv()).filter(|k| k % S::NV < S::LINEAR) {
+            unit[k] = system.size;
         }
         Self {
             ws: Workspace::new(system),
@@ -98,7 +98,7 @@ impl<'a> Problem<'a> {
             let bad = self.system.forces.iter().find(|f| {
                 self.wrenches(f)
                     .iter()
-                    .any(|(_, w)| w.iter().any(|x| !x.is_finite()))
+                    .any(|(_, w)| w.as_slice().iter().any(|x| !x.is_finite()))
             });
             return Err(self.not_finite(bad.map_or_else(
                 || "a force".to_owned(),
@@ -121,10 +121,9 @@ impl<'a> Problem<'a> {
     }
 
     /// Wrenches of a force element on its markers, at the markers of the workspace.
-    pub fn wrenches(&self, force: &ForceData<Planar>) -> Vec<(usize, Vector3<f64>)> {
-        let markers: Vec<PlanarMarker> =
-            force.markers.iter().map(|&m| self.ws.markers[m]).collect();
-        let mut wrenches = vec![Vector3::zeros(); markers.len()];
+    pub fn wrenches(&self, force: &ForceData<S>) -> Vec<(usize, S::Twist)> {
+        let markers: Vec<S::Marker> = force.markers.iter().map(|&m| self.ws.markers[m]).collect();
+        let mut wrenches = vec![S::Twist::zero(); markers.len()];
         force
             .element
             .wrenches(self.state.t, &markers, &mut wrenches);
@@ -132,13 +131,13 @@ impl<'a> Problem<'a> {
     }
 
     /// The scaled generalized force of wrenches on markers.
-    pub fn generalized(&self, wrenches: &[(usize, Vector3<f64>)]) -> DVector<f64> {
+    pub fn generalized(&self, wrenches: &[(usize, S::Twist)]) -> DVector<f64> {
         let mut out = DVector::zeros(self.system.nv());
         for (m, w) in wrenches {
             if let Some(b) = self.system.markers[*m].body {
-                let pulled = Planar::pull(&self.ws.markers[*m], w);
-                for k in 0..3 {
-                    out[3 * b + k] += pulled[k] * self.unit[3 * b + k];
+                let pulled = S::pull(&self.ws.markers[*m], w);
+                for (k, x) in (S::NV * b..).zip(pulled.as_slice()) {
+                    out[k] += x * self.unit[k];
                 }
             }
         }
@@ -164,17 +163,17 @@ impl<'a> Problem<'a> {
     pub fn potential(&self) -> f64 {
         let mut sum = 0.0;
         for (b, body) in self.system.bodies.iter().enumerate() {
-            let p = self.ws.markers[body.center_marker].point;
-            sum -= self.system.weight[3 * b] * p.x + self.system.weight[3 * b + 1] * p.y;
+            let point = S::point(&self.ws.markers[body.center_marker]);
+            let weight = &self.system.weight[S::NV * b..][..S::LINEAR];
+            sum -= weight.iter().zip(point).map(|(w, x)| w * x).sum::<f64>();
         }
         sum + self.stored()
     }
 
     /// Potential energy of the force elements [J].
     pub fn stored(&self) -> f64 {
-        let report = |f: &ForceData<Planar>| {
-            let markers: Vec<PlanarMarker> =
-                f.markers.iter().map(|&m| self.ws.markers[m]).collect();
+        let report = |f: &ForceData<S>| {
+            let markers: Vec<S::Marker> = f.markers.iter().map(|&m| self.ws.markers[m]).collect();
             f.element.report(self.state.t, &markers).potential
         };
         self.system.forces.iter().map(report).sum()
@@ -217,13 +216,14 @@ impl<'a> Problem<'a> {
     /// The free motion at the evaluated pose that comes nearest to a wanted scaled step, each
     /// coordinate of a body counting by its weight.
     pub fn nearest_motion(&mut self, wanted: &DVector<f64>, weight: &DVector<f64>) -> DVector<f64> {
-        let bodies = self.system.bodies.len();
-        let (mut blocks, mut inverse) = (vec![0.0; 9 * bodies], vec![0.0; 9 * bodies]);
+        let n = S::NV;
+        let mut blocks = vec![0.0; self.system.mass.len()];
+        let mut inverse = blocks.clone();
         let mut f = vec![0.0; self.system.nv()];
-        for k in 0..3 * bodies {
+        for k in 0..self.system.body_nv() {
             let w = weight[k] / (self.unit[k] * self.unit[k]);
-            blocks[3 * k + k % 3] = w;
-            inverse[3 * k + k % 3] = 1.0 / w;
+            blocks[n * k + k % n] = w;
+            inverse[n * k + k % n] = 1.0 / w;
             f[k] = w * wanted[k] * self.unit[k];
         }
         self.ws.factor(&inverse);
@@ -265,6 +265,10 @@ impl<'a> Problem<'a> {
 
     /// Stiffness -dF/dq along scaled directions, one column each, at fixed multipliers. The workspace
     /// is left at another pose.
+    ///
+    /// Turns in space do not commute: with F in the axes of the turning bodies the matrix is Newton's, but symmetric only
+    /// where F = 0, K_ij - K_ji = F . [e_i, e_j]. Its symmetric part is the second derivative of a potential along steps
+    /// of constant velocity at any pose.
     pub fn stiffness(
         &mut self,
         q: &[f64],
@@ -289,19 +293,49 @@ impl<'a> Problem<'a> {
 
     /// Moves a pose by a scaled step.
     pub fn shift(&self, q: &mut [f64], factor: f64, step: &DVector<f64>) {
-        // In the plane positions and velocities have the same layout.
-        for ((x, d), u) in q.iter_mut().zip(step.iter()).zip(self.unit.iter()) {
-            *x += factor * d * u;
+        let plain = step.iter().zip(self.unit.iter());
+        let plain: Vec<f64> = plain.map(|(d, u)| factor * d * u).collect();
+        self.system.advance(q, 1.0, &plain);
+    }
+
+    /// The scaled step that `shift` needs from one pose to another.
+    pub fn difference(&self, from: &[f64], to: &[f64]) -> DVector<f64> {
+        DVector::from_vec(self.system.difference(from, to)).component_div(&self.unit)
+    }
+
+    /// The same with angles by the shorter way round, and without the auxiliary coordinates, which follow the bodies.
+    pub fn shorter_way(&self, from: &[f64], to: &[f64]) -> DVector<f64> {
+        let mut way = self.difference(from, to);
+        for (k, d) in way.iter_mut().enumerate() {
+            if k >= self.system.body_nv() {
+                *d = 0.0;
+            } else if k % S::NV >= S::LINEAR {
+                *d -= 2.0 * PI * (*d / (2.0 * PI)).round();
+            }
         }
+        way
+    }
+
+    /// Moves of a scaled step in units of the size, and turns [rad], of every body.
+    pub fn moves_and_turns(&self, step: &DVector<f64>) -> Vec<[f64; 2]> {
+        let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
+        let bodies = step.as_slice()[..self.system.body_nv()].chunks_exact(S::NV);
+        let parts = bodies.map(|own| own.split_at(S::LINEAR));
+        parts.map(|(a, b)| [norm(a), norm(b)]).collect()
+    }
+
+    /// Does a scaled coordinate turn something (auxiliary coordinates count as turns)?
+    pub fn turns(&self, k: usize) -> bool {
+        k >= self.system.body_nv() || k % S::NV >= S::LINEAR
     }
 }
 
 /// The factor that keeps a scaled step within what a linear model can mean: half a radian, twice
 /// the size.
-pub(super) fn step_limit(system: &System<Planar>, step: &DVector<f64>) -> f64 {
+pub(super) fn step_limit<S: Space>(system: &System<S>, step: &DVector<f64>) -> f64 {
     let mut worst: f64 = 0.0;
     for (k, x) in step.iter().enumerate() {
-        let linear = k < system.body_nv() && k % 3 < 2;
+        let linear = k < system.body_nv() && k % S::NV < S::LINEAR;
         worst = worst.max(if linear { x.abs() / 4.0 } else { x.abs() });
     }
     if worst > 0.5 { 0.5 / worst } else { 1.0 }

@@ -5,6 +5,7 @@ use super::problem::{Problem, step_limit};
 use super::solution::{Goal, Solution};
 use crate::analysis::AnalysisError;
 use crate::solve::rank::Svd;
+use crate::space::Space;
 use faer::Mat;
 use faer::linalg::solvers::DenseSolveCore;
 use nalgebra::{DMatrix, DVector};
@@ -17,6 +18,8 @@ const POLISHING: usize = 6;
 /// What is known at a pose on the constraints.
 struct Point {
     q: Vec<f64>,
+    /// From the start.
+    way: DVector<f64>,
     lambda: DVector<f64>,
     /// Unbalanced force in the free motions, in scaled coordinates.
     unbalanced: DVector<f64>,
@@ -24,7 +27,11 @@ struct Point {
 }
 
 impl Point {
-    fn new(problem: &mut Problem<'_>, q: Vec<f64>) -> Result<Self, AnalysisError> {
+    fn new<S: Space>(
+        problem: &mut Problem<'_, S>,
+        q: Vec<f64>,
+        way: DVector<f64>,
+    ) -> Result<Self, AnalysisError> {
         problem.evaluate(&q)?;
         let (lambda, unbalanced) = match problem.balance() {
             Some(found) => found,
@@ -40,6 +47,7 @@ impl Point {
             lambda,
             unbalanced,
             q,
+            way,
         })
     }
 }
@@ -48,14 +56,14 @@ impl Point {
 ///
 /// [`Goal::Rest`] follows the forces downhill, so that it ends where the machine comes to rest;
 /// [`Goal::Any`] takes Newton's steps to whichever equilibrium is near.
-pub(super) fn solve(
-    problem: &mut Problem<'_>,
+pub(super) fn solve<S: Space>(
+    problem: &mut Problem<'_, S>,
     start: &[f64],
     goal: Goal,
     tolerance: f64,
     max_iterations: usize,
 ) -> Result<Solution, AnalysisError> {
-    let mut at = Point::new(problem, start.to_vec())?;
+    let mut at = Point::new(problem, start.to_vec(), DVector::zeros(problem.unit.len()))?;
     let mut scale = at.scale;
     let (mut iterations, mut polished, mut tiny_step) = (0, 0, false);
     loop {
@@ -114,6 +122,7 @@ fn finish(at: Point, scale: f64, iterations: usize, converged: bool) -> Solution
         unbalanced: at.unbalanced,
         residual: if scale > 0.0 { size / scale } else { size },
         q: at.q,
+        way: at.way,
         lambda: at.lambda,
         scale,
         iterations,
@@ -121,8 +130,8 @@ fn finish(at: Point, scale: f64, iterations: usize, converged: bool) -> Solution
     }
 }
 
-fn try_step(
-    problem: &mut Problem<'_>,
+fn try_step<S: Space>(
+    problem: &mut Problem<'_, S>,
     at: &Point,
     factor: f64,
     step: &DVector<f64>,
@@ -130,7 +139,8 @@ fn try_step(
     let mut q = at.q.clone();
     problem.shift(&mut q, factor, step);
     problem.assemble(&mut q)?;
-    Point::new(problem, q)
+    let way = &at.way + problem.difference(&at.q, &q);
+    Point::new(problem, q, way)
 }
 
 fn accepted(goal: Goal, met: bool, at: &Point, next: &Point, step: &DVector<f64>) -> bool {
@@ -151,8 +161,8 @@ fn accepted(goal: Goal, met: bool, at: &Point, next: &Point, step: &DVector<f64>
 }
 
 /// Newton's step: K y = R, the least one where K is singular.
-fn newton(
-    problem: &Problem<'_>,
+fn newton<S: Space>(
+    problem: &Problem<'_, S>,
     k: &DMatrix<f64>,
     residual: &DVector<f64>,
 ) -> Result<DVector<f64>, AnalysisError> {
@@ -161,8 +171,8 @@ fn newton(
 
 /// Solves a square or rectangular system by least squares; singular values below a part of the
 /// largest count as zero.
-pub(super) fn least_squares(
-    problem: &Problem<'_>,
+pub(super) fn least_squares<S: Space>(
+    problem: &Problem<'_, S>,
     a: &DMatrix<f64>,
     b: &DVector<f64>,
     tolerance: f64,
@@ -203,8 +213,8 @@ fn regular(a: &DMatrix<f64>, b: &DVector<f64>, tolerance: f64) -> Option<DVector
 
 /// A step along which the forces do work, of Newton's length in every principal direction of the
 /// stiffness: it leaves saddles and maxima, and is Newton's own step where the pose is stable.
-fn downhill(
-    problem: &Problem<'_>,
+fn downhill<S: Space>(
+    problem: &Problem<'_, S>,
     k: &DMatrix<f64>,
     residual: &DVector<f64>,
     scale: f64,

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// One pose at which all forces balance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Equilibrium {
-    /// Positions: centre of mass and angle of each body, then auxiliary coordinates.
+    /// Positions: centre of mass and angle (in space: Euler parameters) of each body, then auxiliary coordinates.
     pub q: Vec<f64>,
     /// Multipliers of the constraint rows: C_q^T lambda = Q_e, the least ones where they are not unique.
     pub multipliers: Vec<f64>,
@@ -41,6 +41,8 @@ pub struct StaticsReport {
     /// The equilibria: the estimate itself first where it is one, then the stable, the neutral and
     /// the unstable ones, each kind by its distance from the estimate.
     pub equilibria: Vec<Equilibrium>,
+    /// Number of velocity coordinates.
+    pub velocities: usize,
     /// Number of independent free motions at the estimate.
     pub freedoms: usize,
     /// Poses from which the search was started.
@@ -60,7 +62,7 @@ impl StaticsReport {
         self.equilibria.get(number).map(|e| State {
             t: self.time,
             q: e.q.clone(),
-            v: vec![0.0; e.q.len()],
+            v: vec![0.0; self.velocities],
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::problem::{Problem, step_limit};
 use crate::analysis::AnalysisError;
+use crate::space::Space;
 use nalgebra::DVector;
 use std::f64::consts::PI;
 
@@ -27,11 +28,13 @@ impl Numbers {
 const MOVE_WEIGHT: f64 = 0.05;
 
 /// How much each scaled coordinate counts on a way along the free motions.
-pub(super) fn weights(problem: &Problem<'_>) -> DVector<f64> {
-    let bodies = problem.system.bodies.len();
+pub(super) fn weights<S: Space>(problem: &Problem<'_, S>) -> DVector<f64> {
     DVector::from_fn(problem.unit.len(), |k, _| {
-        let turn = k >= 3 * bodies || k % 3 == 2;
-        if turn { 1.0 } else { MOVE_WEIGHT * MOVE_WEIGHT }
+        if problem.turns(k) {
+            1.0
+        } else {
+            MOVE_WEIGHT * MOVE_WEIGHT
+        }
     })
 }
 
@@ -40,8 +43,8 @@ pub(super) fn weights(problem: &Problem<'_>) -> DVector<f64> {
 /// Each body is asked to turn and move by a target of its own; the free motions follow as far as the
 /// constraints let them (by weighted least squares), in short steps that are assembled one by one.
 /// Returns the last pose that could be assembled.
-pub(super) fn wander(
-    problem: &mut Problem<'_>,
+pub(super) fn wander<S: Space>(
+    problem: &mut Problem<'_, S>,
     from: &[f64],
     target: &DVector<f64>,
 ) -> Result<Vec<f64>, AnalysisError> {
@@ -62,9 +65,7 @@ pub(super) fn wander(
         if problem.assemble(&mut next).is_err() {
             break;
         }
-        for k in 0..left.len() {
-            left[k] -= (next[k] - q[k]) / problem.unit[k];
-        }
+        left -= problem.difference(&q, &next);
         q = next;
         if factor == 1.0 {
             break;
@@ -75,35 +76,34 @@ pub(super) fn wander(
 
 /// Targets of the wandering for one start: turns up to half a turn either way, or moves up to the
 /// machine's size. Every other of the first starts
-/// turns one body alone, until each had its turn.
-pub(super) fn target(problem: &Problem<'_>, number: usize, numbers: &mut Numbers) -> DVector<f64> {
+/// turns one body alone, until each had its turn about each axis.
+pub(super) fn target<S: Space>(
+    problem: &Problem<'_, S>,
+    number: usize,
+    numbers: &mut Numbers,
+) -> DVector<f64> {
     let bodies = problem.system.bodies.len();
     let mut target = DVector::zeros(problem.unit.len());
-    let body = number / 2;
-    if body < bodies && number.is_multiple_of(2) {
-        let sign = if body.is_multiple_of(2) { 1.0 } else { -1.0 };
-        target[3 * body + 2] = sign * 0.9 * PI;
+    let single = number / 2;
+    if single < bodies * (S::NV - S::LINEAR) && number.is_multiple_of(2) {
+        let (axis, body) = (single / bodies, single % bodies);
+        let sign = if single.is_multiple_of(2) { 1.0 } else { -1.0 };
+        target[S::NV * body + S::LINEAR + axis] = sign * 0.9 * PI;
         return target;
     }
     for (k, x) in target.iter_mut().enumerate() {
-        let turn = k >= 3 * bodies || k % 3 == 2;
-        *x = numbers.next() * if turn { PI } else { 1.0 };
+        *x = numbers.next() * if problem.turns(k) { PI } else { 1.0 };
     }
     target
 }
 
 /// Difference of two poses: largest displacement relative to the size, or turn modulo whole turns.
-pub(super) fn distance(problem: &Problem<'_>, a: &[f64], b: &[f64]) -> f64 {
-    let bodies = problem.system.bodies.len();
-    let mut worst: f64 = 0.0;
-    for k in 0..3 * bodies {
-        let d = (a[k] - b[k]) / problem.unit[k];
-        let d = if k % 3 == 2 {
-            d - 2.0 * PI * (d / (2.0 * PI)).round()
-        } else {
-            d
-        };
-        worst = worst.max(d.abs());
-    }
-    worst
+pub(super) fn distance<S: Space>(problem: &Problem<'_, S>, a: &[f64], b: &[f64]) -> f64 {
+    let way = problem.shorter_way(a, b);
+    let turns = problem
+        .moves_and_turns(&way)
+        .into_iter()
+        .map(|[_, turn]| turn);
+    let moves = (0..way.len()).filter(|&k| !problem.turns(k));
+    moves.map(|k| way[k].abs()).chain(turns).fold(0.0, f64::max)
 }

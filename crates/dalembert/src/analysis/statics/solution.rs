@@ -15,6 +15,8 @@ pub(super) enum Goal {
 #[derive(Clone, Debug)]
 pub(super) struct Solution {
     pub q: Vec<f64>,
+    /// The scaled steps that led here, added up: it counts whole turns, which positions in space do not.
+    pub way: DVector<f64>,
     pub lambda: DVector<f64>,
     /// Unbalanced force in the free motions.
     pub unbalanced: DVector<f64>,

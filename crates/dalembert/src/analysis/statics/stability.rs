@@ -4,10 +4,9 @@ use super::motions::Motions;
 use super::problem::Problem;
 use super::solution::Solution;
 use crate::analysis::AnalysisError;
-use crate::analysis::mobility::{FreeMotion, describe};
+use crate::analysis::mobility::{FreeMotion, describe, with_axis};
 use crate::solve::RankError;
-use crate::space::Planar;
-use crate::system::System;
+use crate::space::{Space, Tuple};
 use faer::{Mat, Side};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
@@ -45,8 +44,8 @@ pub(super) struct Verdict {
 const NEUTRAL: (f64, f64) = (1e-7, 1e-9);
 
 /// Judges the equilibrium of a solution.
-pub(super) fn judge(
-    problem: &mut Problem<'_>,
+pub(super) fn judge<S: Space>(
+    problem: &mut Problem<'_, S>,
     solution: &Solution,
 ) -> Result<Verdict, AnalysisError> {
     problem.evaluate(&solution.q)?;
@@ -70,12 +69,13 @@ pub(super) fn judge(
         motions: Vec::new(),
         away: None,
     };
+    problem.evaluate(&solution.q)?;
     for (j, h) in values.iter().enumerate() {
         if *h >= -zero {
             continue;
         }
         let motion = &motions.basis * vectors.column(j);
-        let text = in_words(problem.system, &motion);
+        let text = in_words(problem, &motion);
         verdict.stability = Stability::Unstable;
         verdict.motions.push(format!("unstable: {text}"));
         verdict.away.get_or_insert(motion);
@@ -84,15 +84,14 @@ pub(super) fn judge(
         if verdict.stability == Stability::Stable {
             verdict.stability = Stability::Neutral;
         }
-        problem.evaluate(&solution.q)?;
         verdict.motions.extend(along(problem, neutral));
     }
     Ok(verdict)
 }
 
 /// The neutral motions of an equilibrium, orthonormal in scaled coordinates.
-pub(super) fn neutral_motions(
-    problem: &mut Problem<'_>,
+pub(super) fn neutral_motions<S: Space>(
+    problem: &mut Problem<'_, S>,
     q: &[f64],
 ) -> Result<DMatrix<f64>, AnalysisError> {
     problem.evaluate(q)?;
@@ -110,7 +109,7 @@ pub(super) fn neutral_motions(
 
 /// Neutral motions (scaled, at the evaluated pose) by the names of coordinates that can be chosen at
 /// will, and the bodies that move with them.
-fn along(problem: &Problem<'_>, mut neutral: DMatrix<f64>) -> Vec<String> {
+fn along<S: Space>(problem: &Problem<'_, S>, mut neutral: DMatrix<f64>) -> Vec<String> {
     for (mut row, unit) in neutral.row_iter_mut().zip(problem.unit.iter()) {
         row *= *unit;
     }
@@ -137,8 +136,8 @@ fn along(problem: &Problem<'_>, mut neutral: DMatrix<f64>) -> Vec<String> {
 }
 
 /// Eigenvalues, ascending, and eigenvectors of the symmetric part of a matrix.
-pub(super) fn principal(
-    problem: &Problem<'_>,
+pub(super) fn principal<S: Space>(
+    problem: &Problem<'_, S>,
     k: &DMatrix<f64>,
 ) -> Result<(DVector<f64>, DMatrix<f64>), AnalysisError> {
     let n = k.nrows();
@@ -159,24 +158,33 @@ pub(super) fn principal(
     ))
 }
 
-/// A scaled motion in words: which bodies take part and how, the greatest first.
-pub(super) fn in_words(system: &System<Planar>, motion: &DVector<f64>) -> String {
+/// A scaled motion at the evaluated pose in words: which bodies take part and how, the greatest first.
+pub(super) fn in_words<S: Space>(problem: &Problem<'_, S>, motion: &DVector<f64>) -> String {
+    let system = problem.system;
+    let sizes = problem.moves_and_turns(motion);
     let mut parts: Vec<(f64, String)> = Vec::new();
     for (b, body) in system.bodies.iter().enumerate() {
-        let (x, y, turn) = (motion[3 * b], motion[3 * b + 1], motion[3 * b + 2]);
-        let shift = x.hypot(y);
-        let what = if turn.abs() > 1e-3 * shift {
-            "turns".to_owned()
-        } else {
-            // The sense of a motion means nothing: x is made positive.
-            let sign = if x < -1e-9 * shift { -1.0 } else { 1.0 };
-            format!(
-                "moves along ({:.3}, {:.3})",
-                sign * x / shift + 0.0,
-                sign * y / shift + 0.0
-            )
+        let [shift, turn] = sizes[b];
+        let turns = turn > 1e-3 * shift;
+        let mut own = S::Twist::zero();
+        let counted = if turns { S::NV } else { S::LINEAR };
+        for (k, x) in own.as_mut_slice()[..counted].iter_mut().enumerate() {
+            *x = motion[S::NV * b + k] * problem.unit[S::NV * b + k];
+        }
+        let what = match with_axis(system, &problem.ws, b, &own) {
+            Some(words) => words,
+            None if turns => "turns".to_owned(),
+            None => {
+                let linear = &motion.as_slice()[S::NV * b..][..S::LINEAR];
+                // The sense of a motion means nothing: x is made positive.
+                let sign = if linear[0] < -1e-9 * shift { -1.0 } else { 1.0 };
+                let digits = linear
+                    .iter()
+                    .map(|x| format!("{:.3}", sign * x / shift + 0.0));
+                format!("moves along ({})", digits.collect::<Vec<_>>().join(", "))
+            }
         };
-        parts.push((shift.max(turn.abs()), format!("{} {what}", body.name)));
+        parts.push((shift.max(turn), format!("{} {what}", body.name)));
     }
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));
     let largest = parts.first().map_or(0.0, |p| p.0);

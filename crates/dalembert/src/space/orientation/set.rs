@@ -5,13 +5,15 @@ use super::{
 };
 use nalgebra::{Matrix3, Vector3, Vector4};
 use smallvec::SmallVec;
+use std::f64::consts::TAU;
 use std::fmt;
 use std::str::FromStr;
 
 /// A set of coordinates for orientations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum OrientationSet {
     /// Four Euler parameters, scalar first.
+    #[default]
     EulerParameters,
     /// Three Euler angles.
     Euler(EulerSequence),
@@ -92,6 +94,22 @@ impl OrientationSet {
             }
         };
         SetCoordinates { values, singular }
+    }
+
+    /// The same orientation by the numbers nearest to others: Euler parameters have two signs, angles any number of
+    /// turns.
+    pub fn near(&self, mut values: SmallVec<[f64; 9]>, to: &[f64]) -> SmallVec<[f64; 9]> {
+        if *self == Self::EulerParameters {
+            let product: f64 = values.iter().zip(to).map(|(a, b)| a * b).sum();
+            if product < 0.0 {
+                values.iter_mut().for_each(|x| *x = -*x);
+            }
+        } else if let Self::Euler(_) = self {
+            for (x, to) in values.iter_mut().zip(to) {
+                *x += TAU * ((to - *x) / TAU).round();
+            }
+        }
+        values
     }
 
     /// The orientation of coordinates; `values` has as many as there are names.

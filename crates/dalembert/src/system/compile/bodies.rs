@@ -1,95 +1,55 @@
 //! Bodies and traces.
 
-use super::context::{BodyPlace, Context, GlobalMeasure, rotate};
-use super::names::Property;
+use super::context::{BodyPlace, Context, GlobalMeasure};
+use super::geometry::Geometry;
 use super::place::Place;
-use crate::joint::{MeasureRow, MeasureRows, PlanarMeasure};
-use crate::model::CoordinateName;
-use crate::signal::SignalKind;
-use crate::space::PlanarFrame;
+use crate::joint::{Measure, MeasureRow, MeasureRows, TimeFunction};
+use crate::model::HeldCoordinate;
 use crate::system::{BodyData, ElementData, Phase, Role, TraceData};
-use dalembert_expr::Dim;
-use nalgebra::Vector2;
+use nalgebra::Vector3;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
 /// How much less a coordinate counts in the assembly where its user gave no estimate.
 const UNSAID: f64 = 1e-4;
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Resolves the bodies: mass properties, estimates, frame markers, held coordinates.
     pub fn bodies(&mut self) {
         let model = self.model;
         for (index, body) in model.bodies.iter().enumerate() {
             let place = Place::new("body", index, "body", &body.name);
-            let mass = self.mass_properties(body, &place);
-            let origin = self.optional_point(body.position.as_ref(), &place, "position");
-            let origin = self.or_origin(origin);
-            let angle = self
-                .optional(body.angle.as_ref(), Dim::NONE, &place, "angle")
-                .unwrap_or(0.0);
-            let velocity = match &body.velocity {
-                Some(v) => self.vector(v, Dim::VELOCITY, &place.owner, &place.key("velocity")),
-                None => None,
-            }
-            .unwrap_or_else(Vector2::zeros);
-            let omega = self
-                .optional(
-                    body.angular_velocity.as_ref(),
-                    Dim::FREQUENCY,
-                    &place,
-                    "angular_velocity",
-                )
-                .unwrap_or(0.0);
+            let parts = S::body(self, body, &place);
             let number = (!body.fixed).then_some(self.bodies.len());
             let own = BodyPlace {
                 body: number,
-                origin,
-                angle,
-                center: mass.center,
+                frame: parts.frame,
+                center: parts.center,
             };
+            let frame = S::frame(&Vector3::zeros());
             self.places.insert(body.name.clone(), own.clone());
             if number.is_none() {
-                let marker = self.marker(&own, Vector2::zeros(), 0.0);
+                let marker = self.marker(&own, &frame);
                 self.point_properties(&body.name, marker);
                 continue;
             }
-            let arm = rotate(angle, &mass.center);
-            let center = origin + arm;
-            let center_velocity = velocity + omega * Vector2::new(-arm.y, arm.x);
-            self.q.extend([center.x, center.y, angle]);
-            self.v.extend([center_velocity.x, center_velocity.y, omega]);
-            let weigh = |given: bool| if given { 1.0 } else { UNSAID };
-            let (p, a) = (weigh(body.position.is_some()), weigh(body.angle.is_some()));
-            self.position_weight.extend([p, p, a]);
-            let (p, a) = (
-                weigh(body.velocity.is_some()),
-                weigh(body.angular_velocity.is_some()),
-            );
-            self.velocity_weight.extend([p, p, a]);
-            self.mass.extend([
-                mass.mass,
-                0.0,
-                0.0,
-                0.0,
-                mass.mass,
-                0.0,
-                0.0,
-                0.0,
-                mass.inertia,
-            ]);
-            let frame_marker = self.marker(&own, Vector2::zeros(), 0.0);
-            let center_marker = self.marker(&own, mass.center, 0.0);
+            self.q.extend(parts.q);
+            self.v.extend(parts.v);
+            let weigh = |known: bool| if known { 1.0 } else { UNSAID };
+            self.position_weight
+                .extend(parts.position_known.into_iter().map(weigh));
+            self.velocity_weight
+                .extend(parts.velocity_known.into_iter().map(weigh));
+            self.mass.extend(parts.mass);
+            let frame_marker = self.marker(&own, &frame);
+            let center_marker = self.marker(&own, &S::frame(&parts.center));
             self.bodies.push(BodyData {
                 name: body.name.clone(),
                 index,
-                frame: PlanarFrame {
-                    at: -mass.center,
-                    angle: 0.0,
-                },
+                frame: S::from_center(&frame, &parts.center),
                 frame_marker,
                 center_marker,
-                massless: mass.mass == 0.0 || mass.inertia == 0.0,
+                massless: parts.massless,
             });
             self.point_properties(&body.name, frame_marker);
             for name in &body.hold {
@@ -98,25 +58,29 @@ impl Context<'_> {
         }
     }
 
-    fn hold(&mut self, body: &str, name: CoordinateName, marker: usize, place: &Place) {
-        let (kind, label) = match name {
-            CoordinateName::X => (PlanarMeasure::GroundX, "x"),
-            CoordinateName::Y => (PlanarMeasure::GroundY, "y"),
-            CoordinateName::Angle => (PlanarMeasure::Angle, "angle"),
+    fn hold(&mut self, body: &str, name: HeldCoordinate, marker: usize, place: &Place) {
+        let first = if name == HeldCoordinate::Orientation {
+            // Seen from the estimate itself, the directions of small turns are plain.
+            let frame = self.places[body].frame;
+            self.marker(&BodyPlace::ground(), &frame)
+        } else {
+            0
         };
-        let measure = GlobalMeasure {
-            kind,
-            first: 0,
-            second: marker,
-        };
-        let value = self.estimate(measure);
-        self.start_element(
-            format!("held {body}.{label}"),
-            place.key("hold"),
-            measure,
-            value,
-            Phase::StartPosition,
-        );
+        for kind in S::held(name) {
+            let measure = GlobalMeasure {
+                kind,
+                first,
+                second: marker,
+            };
+            let value = self.estimate(measure);
+            self.start_element(
+                format!("held {body}.{}", name.label()),
+                place.key("hold"),
+                measure,
+                value,
+                Phase::StartPosition,
+            );
+        }
     }
 
     /// A row that holds at the start only: measure = value (its rate = value for velocities).
@@ -124,19 +88,19 @@ impl Context<'_> {
         &mut self,
         name: String,
         path: String,
-        measure: GlobalMeasure,
+        measure: GlobalMeasure<S>,
         value: f64,
         phase: Phase,
     ) {
-        let local = crate::joint::Measure {
+        let local = Measure {
             kind: measure.kind,
             first: 0,
             second: 1,
         };
         let target = match phase {
             // C_t = -rate at every time: the velocity row reads measure' = rate.
-            Phase::StartVelocity => crate::joint::TimeFunction::Rate(value),
-            Phase::Always | Phase::StartPosition => crate::joint::TimeFunction::Constant(value),
+            Phase::StartVelocity => TimeFunction::Rate(value),
+            Phase::Always | Phase::StartPosition => TimeFunction::Constant(value),
         };
         self.elements.push(ElementData {
             name,
@@ -144,10 +108,10 @@ impl Context<'_> {
             kind: "start".to_owned(),
             path,
             phase,
-            element: Arc::new(MeasureRows {
-                markers: 2,
-                rows: smallvec![MeasureRow::follow(local, target, "value")],
-            }),
+            element: Arc::new(MeasureRows::new(
+                2,
+                smallvec![MeasureRow::follow(local, target, "value")],
+            )),
             markers: smallvec![measure.first, measure.second],
             reaction_marker: 1,
             axes_marker: 0,
@@ -163,29 +127,8 @@ impl Context<'_> {
 
     /// What expressions may ask of a body or a trace.
     fn point_properties(&mut self, name: &str, marker: usize) {
-        let of = |name: &str, kind, measure, dim| Property {
-            name: name.to_owned(),
-            kind,
-            measure: GlobalMeasure {
-                kind: measure,
-                first: 0,
-                second: marker,
-            },
-            dim,
-        };
-        use PlanarMeasure::{Angle, GroundX, GroundY};
-        use SignalKind::{Rate, Value};
-        self.properties.insert(
-            name.to_owned(),
-            vec![
-                of("x", Value, GroundX, Dim::LENGTH),
-                of("y", Value, GroundY, Dim::LENGTH),
-                of("angle", Value, Angle, Dim::NONE),
-                of("vx", Rate, GroundX, Dim::VELOCITY),
-                of("vy", Rate, GroundY, Dim::VELOCITY),
-                of("omega", Rate, Angle, Dim::FREQUENCY),
-            ],
-        );
+        self.properties
+            .insert(name.to_owned(), S::point_properties(marker));
     }
 
     /// Resolves the traces.
@@ -194,16 +137,13 @@ impl Context<'_> {
         for (index, trace) in model.traces.iter().enumerate() {
             let place = Place::new("trace", index, "trace", &trace.name);
             let body = self.place(&trace.body, &place.owner, &place.key("body"));
-            let at = self.optional_point(trace.at.as_ref(), &place, "at");
-            let angle = self
-                .optional(trace.angle.as_ref(), Dim::NONE, &place, "angle")
-                .unwrap_or(0.0);
+            let frame = S::trace(self, trace, &place);
             let observer = trace.relative_to.as_ref().map(|name| {
                 let own = self.place(name, &place.owner, &place.key("relative_to"));
-                (self.marker(&own, Vector2::zeros(), 0.0), name.clone())
+                let marker = self.marker(&own, &S::frame(&Vector3::zeros()));
+                (marker, name.clone())
             });
-            let at = self.or_origin(at);
-            let marker = self.marker(&body, at, angle);
+            let marker = self.marker(&body, &frame);
             self.point_properties(&trace.name, marker);
             self.trace_list.push(TraceData {
                 name: trace.name.clone(),

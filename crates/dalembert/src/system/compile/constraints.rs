@@ -2,6 +2,7 @@
 
 use super::built::Built;
 use super::context::{Context, GlobalMeasure};
+use super::geometry::Geometry;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::joint::{ExpressionRows, Measure, MeasureRow, MeasureRows, MeasureTerm, TimeFunction};
@@ -12,7 +13,7 @@ use dalembert_expr::Quantity;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Compiles the constraints.
     pub fn constraints(&mut self) {
         let model = self.model;
@@ -24,16 +25,17 @@ impl Context<'_> {
         }
     }
 
-    fn constraint(&mut self, kind: &ConstraintKind, place: &Place) -> Option<Built> {
+    fn constraint(&mut self, kind: &ConstraintKind, place: &Place) -> Option<Built<S>> {
         match kind {
             ConstraintKind::Fixed { quantity, value } => {
                 let m = self.quantity(quantity, &place.owner, &place.key("quantity"));
-                let dim = Context::quantity_dim(quantity);
+                let dim = Self::quantity_dim(quantity);
                 let value = match (value, m) {
                     (Some(v), _) => self.number(v, dim, &place.owner, &place.key("value")),
                     (None, m) => m.map(|m| self.estimate(m)),
                 };
                 let (m, value) = (m?, value?);
+                self.start_near(m, value);
                 Some(measure_rows(
                     "fixed coordinate",
                     &[(1.0, m)],
@@ -146,12 +148,12 @@ impl Context<'_> {
 }
 
 /// One row: sum of factor * measure = f(t).
-pub(super) fn measure_rows(
+pub(super) fn measure_rows<S: Geometry>(
     kind: &'static str,
-    terms: &[(f64, GlobalMeasure)],
+    terms: &[(f64, GlobalMeasure<S>)],
     target: TimeFunction,
     label: &str,
-) -> Built {
+) -> Built<S> {
     let mut markers: SmallVec<[usize; 4]> = SmallVec::new();
     let mut local = |global: usize| {
         markers
@@ -162,7 +164,7 @@ pub(super) fn measure_rows(
                 markers.len() - 1
             })
     };
-    let terms: SmallVec<[MeasureTerm; 1]> = terms
+    let terms: SmallVec<[MeasureTerm<S>; 1]> = terms
         .iter()
         .map(|&(factor, m)| MeasureTerm {
             factor,
@@ -181,10 +183,7 @@ pub(super) fn measure_rows(
     let count = markers.len();
     Built {
         kind,
-        element: Arc::new(MeasureRows {
-            markers: count,
-            rows: smallvec![row],
-        }),
+        element: Arc::new(MeasureRows::new(count, smallvec![row])),
         markers,
         coordinates: SmallVec::new(),
         auxiliary_start: SmallVec::new(),

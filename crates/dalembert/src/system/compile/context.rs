@@ -1,51 +1,62 @@
 //! What the compiler knows while it goes through a model.
 
+use super::geometry::Geometry;
 use super::names::{ConstantScope, Property, StateScope};
 use super::place::Place;
-use super::{Compiled, Options};
+use super::{Compiled, Options, wrong_space};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::joint::{Measure, PlanarMeasure, TimeFunction};
+use crate::joint::{Measure, MeasureKind, TimeFunction};
 use crate::model::{GROUND, Model, Point, Value};
 use crate::signal::{Coefficient, MAX_INPUTS, Signal, SignalKind};
-use crate::space::{Planar, PlanarFrame, PlanarMarker, Space};
+use crate::space::Space;
 use crate::system::{
-    BodyData, Coordinate, ElementData, ForceData, MarkerData, State, System, TraceData,
+    BodyData, Coordinate, ElementData, ForceData, MarkerData, State, System, TraceData, TurnData,
 };
 use dalembert_expr::{Dim, ExprError, Function, Program, Quantity};
 use indexmap::IndexMap;
-use nalgebra::Vector2;
+use nalgebra::Vector3;
 use smallvec::SmallVec;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 /// A body or the ground, as placements need it.
 #[derive(Clone, Debug)]
-pub(super) struct BodyPlace {
+pub(super) struct BodyPlace<S: Space> {
     /// Movable body, or none.
     pub body: Option<usize>,
-    /// Estimate of the user's frame: origin and angle, ground axes.
-    pub origin: Vector2<f64>,
-    pub angle: f64,
+    /// Estimate of the user's frame, ground axes.
+    pub frame: S::Frame,
     /// Centre of mass in the user's frame.
-    pub center: Vector2<f64>,
+    pub center: Vector3<f64>,
+}
+
+impl<S: Geometry> BodyPlace<S> {
+    /// The ground.
+    pub fn ground() -> Self {
+        Self {
+            body: None,
+            frame: S::frame(&Vector3::zeros()),
+            center: Vector3::zeros(),
+        }
+    }
 }
 
 /// A joint, as quantities and actuators need it.
 #[derive(Clone, Debug)]
-pub(super) struct JointPlace {
+pub(super) struct JointPlace<S: Space> {
     pub markers: SmallVec<[usize; 4]>,
-    pub coordinates: SmallVec<[Coordinate; 2]>,
+    pub coordinates: SmallVec<[Coordinate<S>; 2]>,
 }
 
 /// A measure between two markers of the system.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct GlobalMeasure {
-    pub kind: PlanarMeasure,
+pub(super) struct GlobalMeasure<S: Space> {
+    pub kind: S::Measure,
     pub first: usize,
     pub second: usize,
 }
 
-pub(super) struct Context<'m> {
+pub(super) struct Context<'m, S: Space> {
     pub model: &'m Model,
     pub overrides: &'m [(String, Value)],
     pub diagnostics: Vec<Diagnostic>,
@@ -55,38 +66,33 @@ pub(super) struct Context<'m> {
     pub parameters: IndexMap<String, (f64, Quantity)>,
     pub functions: HashMap<String, Arc<dyn Function>>,
     pub options: Options,
-    pub gravity: Vector2<f64>,
-    pub places: IndexMap<String, BodyPlace>,
-    pub joint_places: IndexMap<String, JointPlace>,
+    pub gravity: Vector3<f64>,
+    pub places: IndexMap<String, BodyPlace<S>>,
+    pub joint_places: IndexMap<String, JointPlace<S>>,
     /// Distances of the spring-dampers, by name.
-    pub spring_measures: HashMap<String, GlobalMeasure>,
-    pub properties: IndexMap<String, Vec<Property>>,
+    pub spring_measures: HashMap<String, GlobalMeasure<S>>,
+    pub properties: IndexMap<String, Vec<Property<S>>>,
     /// Elements that could not be compiled; expressions that use them are not to blame.
     pub spoilt: HashSet<String>,
-    pub bodies: Vec<BodyData<Planar>>,
-    pub markers: Vec<MarkerData<Planar>>,
-    pub elements: Vec<ElementData<Planar>>,
-    pub force_elements: Vec<ForceData<Planar>>,
+    pub bodies: Vec<BodyData<S>>,
+    pub markers: Vec<MarkerData<S>>,
+    pub elements: Vec<ElementData<S>>,
+    pub force_elements: Vec<ForceData<S>>,
     pub trace_list: Vec<TraceData>,
     pub mass: Vec<f64>,
     pub q: Vec<f64>,
     pub v: Vec<f64>,
     pub position_weight: Vec<f64>,
     pub velocity_weight: Vec<f64>,
+    /// Angles that count turns by memory, and where they start.
+    pub turns: Vec<TurnData<S>>,
+    pub turn_start: Vec<f64>,
 }
 
-impl<'m> Context<'m> {
+impl<'m, S: Geometry> Context<'m, S> {
     pub fn new(model: &'m Model, overrides: &'m [(String, Value)]) -> Self {
         let mut places = IndexMap::new();
-        places.insert(
-            GROUND.to_owned(),
-            BodyPlace {
-                body: None,
-                origin: Vector2::zeros(),
-                angle: 0.0,
-                center: Vector2::zeros(),
-            },
-        );
+        places.insert(GROUND.to_owned(), BodyPlace::ground());
         Self {
             model,
             overrides,
@@ -95,7 +101,7 @@ impl<'m> Context<'m> {
             parameters: IndexMap::new(),
             functions: HashMap::new(),
             options: Options::default(),
-            gravity: Vector2::new(0.0, -9.81),
+            gravity: S::GRAVITY,
             places,
             joint_places: IndexMap::new(),
             spring_measures: HashMap::new(),
@@ -105,7 +111,7 @@ impl<'m> Context<'m> {
             // Marker 0 is the ground's own frame.
             markers: vec![MarkerData {
                 body: None,
-                frame: PlanarFrame::default(),
+                frame: S::frame(&Vector3::zeros()),
             }],
             elements: Vec::new(),
             force_elements: Vec::new(),
@@ -115,6 +121,8 @@ impl<'m> Context<'m> {
             v: Vec::new(),
             position_weight: Vec::new(),
             velocity_weight: Vec::new(),
+            turns: Vec::new(),
+            turn_start: Vec::new(),
         }
     }
 
@@ -240,31 +248,43 @@ impl<'m> Context<'m> {
         self.number(value, dim, &place.owner, &place.key(key))
     }
 
-    /// A point or vector of two components.
+    /// A point or vector, of as many components as the space has; z is zero in the plane.
     pub fn vector(
         &mut self,
         point: &Point,
         dim: Dim,
         owner: &str,
         path: &str,
-    ) -> Option<Vector2<f64>> {
-        if point.len() != 2 {
+    ) -> Option<Vector3<f64>> {
+        if point.len() != S::LINEAR {
             self.report(
                 Diagnostic::error(
                     "wrong-length",
                     path,
                     format!(
-                        "{owner}: expected 2 components in a planar model, found {}",
+                        "{owner}: expected {} components in a {} model, found {}",
+                        S::LINEAR,
+                        S::NAME,
                         point.len()
                     ),
                 )
-                .help("write [x, y]"),
+                .help(if S::LINEAR == 2 {
+                    "write [x, y]"
+                } else {
+                    "write [x, y, z]"
+                }),
             );
             return None;
         }
-        let x = self.number(&point[0], dim, owner, &format!("{path}[0]"));
-        let y = self.number(&point[1], dim, owner, &format!("{path}[1]"));
-        Some(Vector2::new(x?, y?))
+        let mut out = Vector3::zeros();
+        let mut whole = true;
+        for (k, value) in point.iter().enumerate() {
+            match self.number(value, dim, owner, &format!("{path}[{k}]")) {
+                Some(x) => out[k] = x,
+                None => whole = false,
+            }
+        }
+        whole.then_some(out)
     }
 
     pub fn optional_point(
@@ -272,24 +292,24 @@ impl<'m> Context<'m> {
         point: Option<&Point>,
         place: &Place,
         key: &str,
-    ) -> Option<Vector2<f64>> {
+    ) -> Option<Vector3<f64>> {
         match point {
             Some(p) => self.vector(p, Dim::LENGTH, &place.owner, &place.key(key)),
-            None => Some(Vector2::zeros()),
+            None => Some(Vector3::zeros()),
         }
     }
 
     /// A point, or the origin where a mistake in it has been reported.
-    pub fn or_origin(&mut self, point: Option<Vector2<f64>>) -> Vector2<f64> {
+    pub fn or_origin(&mut self, point: Option<Vector3<f64>>) -> Vector3<f64> {
         point.unwrap_or_else(|| {
             self.stand_ins = true;
-            Vector2::zeros()
+            Vector3::zeros()
         })
     }
 
     /// The body of a name; reports an unknown one, for which the ground stands in so that the rest
     /// of the element is looked at too.
-    pub fn place(&mut self, name: &str, owner: &str, path: &str) -> BodyPlace {
+    pub fn place(&mut self, name: &str, owner: &str, path: &str) -> BodyPlace<S> {
         if let Some(p) = self.places.get(name) {
             return p.clone();
         }
@@ -305,25 +325,14 @@ impl<'m> Context<'m> {
             .help(help),
         );
         self.stand_ins = true;
-        BodyPlace {
-            body: None,
-            origin: Vector2::zeros(),
-            angle: 0.0,
-            center: Vector2::zeros(),
-        }
+        BodyPlace::ground()
     }
 
-    /// A new marker: a frame at a point of a body's own frame.
-    pub fn marker(&mut self, place: &BodyPlace, at: Vector2<f64>, angle: f64) -> usize {
+    /// A new marker: a frame in a body's own frame.
+    pub fn marker(&mut self, place: &BodyPlace<S>, frame: &S::Frame) -> usize {
         let frame = match place.body {
-            Some(_) => PlanarFrame {
-                at: at - place.center,
-                angle,
-            },
-            None => PlanarFrame {
-                at: place.origin + rotate(place.angle, &at),
-                angle: place.angle + angle,
-            },
+            Some(_) => S::from_center(frame, &place.center),
+            None => S::compose(&place.frame, frame),
         };
         self.markers.push(MarkerData {
             body: place.body,
@@ -333,19 +342,42 @@ impl<'m> Context<'m> {
     }
 
     /// Pose (at the estimate, with estimated velocities) of a marker.
-    pub fn pose(&self, marker: usize) -> PlanarMarker {
+    pub fn pose(&self, marker: usize) -> S::Marker {
         let m = &self.markers[marker];
-        match m.body {
-            Some(b) => Planar::marker(
+        let mut pose = match m.body {
+            Some(b) => S::marker(
                 &m.frame,
-                &Planar::pose(&self.q[3 * b..3 * b + 3]),
-                &self.v[3 * b..3 * b + 3],
+                &S::pose(&self.q[b * S::NQ..(b + 1) * S::NQ]),
+                &self.v[b * S::NV..(b + 1) * S::NV],
             ),
-            None => Planar::ground_marker(&m.frame),
+            None => S::ground_marker(&m.frame),
+        };
+        if let Some(k) = self.turns.iter().position(|t| t.second == marker) {
+            S::set_turn(&mut pose, self.turn_start[k]);
+        }
+        pose
+    }
+
+    /// Makes an angle count turns, where poses do not: from the estimate on.
+    pub fn count_turns(&mut self, m: GlobalMeasure<S>) {
+        let value = self.estimate(m);
+        self.turns.push(TurnData {
+            kind: m.kind,
+            first: m.first,
+            second: m.second,
+        });
+        self.turn_start.push(value);
+    }
+
+    /// Starts an angle that counts turns by memory on the turn that is nearest to a value.
+    pub fn start_near(&mut self, m: GlobalMeasure<S>, value: f64) {
+        let same = |t: &TurnData<S>| (t.first, t.second, t.kind) == (m.first, m.second, m.kind);
+        if let Some(k) = self.turns.iter().position(same) {
+            self.turn_start[k] = value;
         }
     }
 
-    pub fn estimate(&self, m: GlobalMeasure) -> f64 {
+    pub fn estimate(&self, m: GlobalMeasure<S>) -> f64 {
         m.kind.value(&self.pose(m.first), &self.pose(m.second))
     }
 
@@ -380,7 +412,7 @@ impl<'m> Context<'m> {
         path: &str,
     ) -> Option<Program> {
         let text = text_of(value);
-        let (no_properties, none_spoilt) = (IndexMap::new(), HashSet::new());
+        let (no_properties, none_spoilt) = (IndexMap::<_, Vec<Property<S>>>::new(), HashSet::new());
         let scope = StateScope::new(
             &self.parameters,
             &self.functions,
@@ -400,7 +432,7 @@ impl<'m> Context<'m> {
         owner: &str,
         path: &str,
         markers: &mut SmallVec<[usize; 4]>,
-    ) -> Option<(Program, Vec<Signal>)> {
+    ) -> Option<(Program, Vec<Signal<S>>)> {
         let text = text_of(value);
         let scope = StateScope::new(
             &self.parameters,
@@ -438,7 +470,7 @@ impl<'m> Context<'m> {
                 let (kind, m) = used[slot];
                 let measure = if kind == SignalKind::Time {
                     Measure {
-                        kind: PlanarMeasure::Angle,
+                        kind: S::Measure::DISTANCE,
                         first: 0,
                         second: 0,
                     }
@@ -464,7 +496,7 @@ impl<'m> Context<'m> {
         place: &Place,
         key: &str,
         markers: &mut SmallVec<[usize; 4]>,
-    ) -> Coefficient {
+    ) -> Coefficient<S> {
         let path = place.key(key);
         match value {
             None => Coefficient::Constant(default),
@@ -485,8 +517,26 @@ impl<'m> Context<'m> {
         }
     }
 
+    /// Goes through the whole model.
+    pub fn compile(mut self) -> Result<Compiled<S>, Diagnostics> {
+        self.diagnostics = wrong_space::check(self.model);
+        self.stand_ins = !self.diagnostics.is_empty();
+        self.parameters();
+        self.tables();
+        self.options();
+        self.bodies();
+        self.traces();
+        self.joints();
+        self.springs();
+        self.constraints();
+        self.drivers();
+        self.forces();
+        self.initial();
+        self.finish()
+    }
+
     /// Ends the compilation: the system, or all mistakes.
-    pub fn finish(mut self) -> Result<Compiled, Diagnostics> {
+    fn finish(mut self) -> Result<Compiled<S>, Diagnostics> {
         if self.bodies.is_empty() && self.diagnostics.is_empty() {
             self.report(
                 Diagnostic::error("no-bodies", "body", "the model has no movable body")
@@ -506,12 +556,14 @@ impl<'m> Context<'m> {
             self.force_elements,
             self.trace_list,
             self.mass,
-            vec![self.gravity.x, self.gravity.y],
+            self.gravity.as_slice()[..S::LINEAR].to_vec(),
         );
+        system.turns = self.turns;
         for e in &system.elements {
             self.q.extend_from_slice(&e.auxiliary_start);
             self.v.extend(e.auxiliary_start.iter().map(|_| 0.0));
         }
+        self.q.extend(self.turn_start);
         system.estimate = State {
             t: self.options.start,
             q: self.q,
@@ -543,12 +595,6 @@ pub(super) fn text_of(value: &Value) -> String {
         Value::Number(x) => format!("{x:?}"),
         Value::Text(text) => text.clone(),
     }
-}
-
-/// Turns a vector by an angle.
-pub(super) fn rotate(angle: f64, a: &Vector2<f64>) -> Vector2<f64> {
-    let (s, c) = angle.sin_cos();
-    Vector2::new(c * a.x - s * a.y, s * a.x + c * a.y)
 }
 
 /// "did you mean 'crank'?", where a known name is near.

@@ -1,13 +1,13 @@
 //! The picture of a machine: shapes and elements with numbers instead of names and expressions.
 
 use super::context::Context;
+use super::geometry::Geometry;
 use super::outlines::Outlines;
 use super::place::Place;
-use crate::model::{Shape, ShapeKind};
-use crate::space::Planar;
+use crate::mass::Solid;
+use crate::model::GROUND;
 use crate::system::{Role, System};
-use dalembert_expr::Dim;
-use nalgebra::Vector2;
+use nalgebra::{Quaternion, Vector3};
 
 /// A form with its sizes [m].
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,23 @@ pub enum DrawnForm {
     Polygon(Vec<[f64; 2]>),
     /// A dot.
     Lump,
+    /// A solid of space.
+    Solid(Solid),
+    /// Length along x, radius.
+    Rod(f64, f64),
+    /// Radius, thickness along z.
+    Disk(f64, f64),
+    /// Width along x, height along y, thickness along z.
+    Plate(f64, f64, f64),
+    /// Radius of the middle circle about z, radius of the tube.
+    Torus(f64, f64),
+    /// Triangles.
+    Mesh {
+        /// Corners.
+        vertices: Vec<[f64; 3]>,
+        /// Numbers of the corners of each triangle.
+        triangles: Vec<[usize; 3]>,
+    },
 }
 
 /// A shape in the frame of its body.
@@ -31,10 +48,10 @@ pub enum DrawnForm {
 pub struct DrawnShape {
     /// Form.
     pub form: DrawnForm,
-    /// Centre.
-    pub at: [f64; 2],
-    /// Angle [rad].
-    pub angle: f64,
+    /// Origin of its frame.
+    pub at: [f64; 3],
+    /// Orientation of its frame, scalar first.
+    pub quaternion: [f64; 4],
     /// Colour.
     pub color: Option<String>,
     /// Is it cut out?
@@ -56,9 +73,11 @@ pub struct DrawnEnd {
     /// Body or "ground".
     pub body: String,
     /// Point in the body's frame.
-    pub at: [f64; 2],
-    /// Direction of the element's x axis in the body's frame.
-    pub direction: [f64; 2],
+    pub at: [f64; 3],
+    /// Direction of the element's axis in the body's frame: x in the plane, z in space.
+    pub direction: [f64; 3],
+    /// Direction of the element's x axis in the body's frame, in space.
+    pub reference: Option<[f64; 3]>,
     /// Closed curve of the joint on the body, in the body's frame: a pitch circle, a profile;
     /// mostly empty.
     pub outline: Vec<[f64; 2]>,
@@ -94,7 +113,7 @@ pub struct Drawing {
 
 impl Drawing {
     /// Adds joints, springs and traces of a system.
-    pub(super) fn add_elements(&mut self, system: &System<Planar>, outlines: &Outlines) {
+    pub(super) fn add_elements<S: Geometry>(&mut self, system: &System<S>, outlines: &Outlines) {
         for e in &system.elements {
             if e.role == Role::Joint && e.markers.len() >= 2 {
                 // The user's second body is the one on which the reaction is reported.
@@ -135,31 +154,32 @@ impl Drawing {
     }
 }
 
-fn end(system: &System<Planar>, marker: usize) -> DrawnEnd {
+fn end<S: Geometry>(system: &System<S>, marker: usize) -> DrawnEnd {
     let m = &system.markers[marker];
-    let (s, c) = m.frame.angle.sin_cos();
+    let at = S::origin(&m.frame);
     let (body, at) = match m.body {
-        Some(b) => (
-            system.bodies[b].name.clone(),
-            m.frame.at - system.bodies[b].frame.at,
-        ),
-        None => (crate::model::GROUND.to_owned(), m.frame.at),
+        Some(b) => {
+            let own = &system.bodies[b];
+            (own.name.clone(), at - S::origin(&own.frame))
+        }
+        None => (GROUND.to_owned(), at),
     };
     DrawnEnd {
         body,
-        at: [at.x, at.y],
-        direction: [c, s],
+        at: at.into(),
+        direction: S::direction(&m.frame).into(),
+        reference: S::reference(&m.frame).map(Into::into),
         outline: Vec::new(),
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// The shapes of the bodies; mistakes in them have been reported with the mass properties.
     pub fn drawing(&mut self) -> Drawing {
         let model = self.model;
         let mut drawing = Drawing::default();
         let mut ground = DrawnBody {
-            name: crate::model::GROUND.to_owned(),
+            name: GROUND.to_owned(),
             shapes: Vec::new(),
         };
         for (index, body) in model.bodies.iter().enumerate() {
@@ -167,7 +187,7 @@ impl Context<'_> {
             let mut shapes: Vec<DrawnShape> = body
                 .shape
                 .iter()
-                .filter_map(|s| self.drawn_shape(s, &place))
+                .filter_map(|s| S::shape(self, s, &place))
                 .collect();
             let Some(own) = self.places.get(&body.name).cloned() else {
                 continue;
@@ -179,47 +199,17 @@ impl Context<'_> {
                 });
             } else {
                 for s in &mut shapes {
-                    let at = own.origin
-                        + super::context::rotate(own.angle, &Vector2::new(s.at[0], s.at[1]));
-                    s.at = [at.x, at.y];
-                    s.angle += own.angle;
+                    let turn = S::rotation(&own.frame);
+                    let at = S::origin(&own.frame) + turn * Vector3::from(s.at);
+                    let [w, x, y, z] = s.quaternion;
+                    let stands = turn.quaternion() * Quaternion::new(w, x, y, z);
+                    s.at = at.into();
+                    s.quaternion = [stands.w, stands.i, stands.j, stands.k];
                 }
                 ground.shapes.append(&mut shapes);
             }
         }
         drawing.bodies.push(ground);
         drawing
-    }
-
-    fn drawn_shape(&mut self, shape: &Shape, place: &Place) -> Option<DrawnShape> {
-        let mut n = |v| self.number(v, Dim::LENGTH, &place.owner, &place.path);
-        let form = match &shape.kind {
-            ShapeKind::Bar { length, width } => {
-                let l = n(length)?;
-                DrawnForm::Bar(l, width.as_ref().and_then(&mut n).unwrap_or(0.1 * l))
-            }
-            ShapeKind::Rectangle { width, height } => DrawnForm::Rectangle(n(width)?, n(height)?),
-            ShapeKind::Circle { radius } => DrawnForm::Circle(n(radius)?),
-            ShapeKind::Ring { outer, inner } => DrawnForm::Ring(n(outer)?, n(inner)?),
-            ShapeKind::Polygon { points } => {
-                let corners: Option<Vec<[f64; 2]>> = points
-                    .iter()
-                    .map(|p| Some([n(p.first()?)?, n(p.get(1)?)?]))
-                    .collect();
-                DrawnForm::Polygon(corners?)
-            }
-            ShapeKind::Lump { .. } => DrawnForm::Lump,
-        };
-        let at = self.optional_point(shape.at.as_ref(), place, "shape")?;
-        let angle = self
-            .optional(shape.angle.as_ref(), Dim::NONE, place, "shape")
-            .unwrap_or(0.0);
-        Some(DrawnShape {
-            form,
-            at: [at.x, at.y],
-            angle,
-            color: shape.color.clone(),
-            cut: shape.cut,
-        })
     }
 }

@@ -3,9 +3,10 @@
 use super::built::Built;
 use super::constraints::measure_rows;
 use super::context::{Context, GlobalMeasure};
+use super::geometry::Geometry;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
-use crate::joint::{Measure, MeasureRow, MeasureRows, PlanarMeasure, TimeFunction};
+use crate::joint::{Measure, MeasureKind, MeasureRow, MeasureRows, TimeFunction};
 use crate::model::{DriverKind, Motion, Quantity};
 use crate::system::{Coordinate, Phase, Role};
 use dalembert_expr::Dim;
@@ -18,12 +19,13 @@ fn kind_name(q: &Quantity) -> &'static str {
         Quantity::Coordinate { .. } => "coordinate driver",
         Quantity::Angle { .. } => "angle driver",
         Quantity::Displacement { .. } => "displacement driver",
+        Quantity::JointCoordinate { .. } => "joint-coordinate driver",
         Quantity::RelativeAngle { .. } => "relative-angle driver",
         Quantity::Distance { .. } => "distance driver",
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Compiles the drivers.
     pub fn drivers(&mut self) {
         let model = self.model;
@@ -35,12 +37,13 @@ impl Context<'_> {
         }
     }
 
-    fn driver(&mut self, kind: &DriverKind, place: &Place) -> Option<Built> {
+    fn driver(&mut self, kind: &DriverKind, place: &Place) -> Option<Built<S>> {
         match kind {
             DriverKind::Scalar { quantity, motion } => {
                 let m = self.quantity(quantity, &place.owner, &place.path);
-                let target = self.motion(motion, m, Context::quantity_dim(quantity), place);
+                let target = self.motion(motion, m, Self::quantity_dim(quantity), place);
                 let (m, target) = (m?, target?);
+                self.start_near(m, target.jet(self.options.start).v);
                 let mut built = measure_rows(kind_name(quantity), &[(1.0, m)], target, "value");
                 built.coordinates = smallvec![Coordinate {
                     name: if m.kind.is_angle() {
@@ -63,6 +66,7 @@ impl Context<'_> {
                 from_at,
                 x,
                 y,
+                z,
                 ..
             } => {
                 let second = self.place(body, &place.owner, &place.key("body"));
@@ -73,17 +77,14 @@ impl Context<'_> {
                 let from_at = self.optional_point(from_at.as_ref(), place, "from_at");
                 let from_at = self.or_origin(from_at);
                 let mut rows = SmallVec::new();
-                for (value, kind, key) in [
-                    (x, PlanarMeasure::GroundX, "x"),
-                    (y, PlanarMeasure::GroundY, "y"),
-                ] {
+                for (axis, (value, key)) in [(x, "x"), (y, "y"), (z, "z")].into_iter().enumerate() {
                     let Some(value) = value else { continue };
                     let f = self
                         .time_function(value, Dim::LENGTH, &place.owner, &place.key(key))
                         .unwrap_or(TimeFunction::Constant(0.0));
                     rows.push(MeasureRow::follow(
                         Measure {
-                            kind,
+                            kind: S::along_ground(axis),
                             first: 0,
                             second: 1,
                         },
@@ -96,17 +97,25 @@ impl Context<'_> {
                         Diagnostic::error(
                             "no-motion",
                             &place.path,
-                            format!("{}: neither x nor y is given", place.owner),
+                            if S::LINEAR == 2 {
+                                format!("{}: neither x nor y is given", place.owner)
+                            } else {
+                                format!("{}: none of x, y and z is given", place.owner)
+                            },
                         )
-                        .help("give x = \"...\", y = \"...\", or both"),
+                        .help(if S::LINEAR == 2 {
+                            "give x = \"...\", y = \"...\", or both"
+                        } else {
+                            "give x = \"...\", y = \"...\", z = \"...\", or some of them"
+                        }),
                     );
                     return None;
                 }
-                let a = self.marker(&first, from_at, 0.0);
-                let b = self.marker(&second, at, 0.0);
+                let a = self.marker(&first, &S::frame(&from_at));
+                let b = self.marker(&second, &S::frame(&at));
                 Some(Built {
                     kind: "path driver",
-                    element: Arc::new(MeasureRows { markers: 2, rows }),
+                    element: Arc::new(MeasureRows::new(2, rows)),
                     markers: smallvec![a, b],
                     coordinates: SmallVec::new(),
                     auxiliary_start: SmallVec::new(),
@@ -120,7 +129,7 @@ impl Context<'_> {
     fn motion(
         &mut self,
         motion: &Motion,
-        m: Option<GlobalMeasure>,
+        m: Option<GlobalMeasure<S>>,
         dim: Dim,
         place: &Place,
     ) -> Option<TimeFunction> {
@@ -179,13 +188,14 @@ impl Context<'_> {
                 continue;
             }
             let m = self.quantity(&initial.quantity, &place.owner, &place.path);
-            let dim = Context::quantity_dim(&initial.quantity);
+            let dim = Self::quantity_dim(&initial.quantity);
             let name = self.quantity_name(&initial.quantity);
             let value = self.optional(initial.value.as_ref(), dim, &place, "value");
             let rate = self.optional(initial.rate.as_ref(), dim / Dim::TIME, &place, "rate");
             let Some(m) = m else { continue };
             if let Some(x) = value {
                 let name = format!("initial {name}");
+                self.start_near(m, x);
                 self.start_element(name, place.key("value"), m, x, Phase::StartPosition);
             }
             if let Some(x) = rate {
@@ -204,7 +214,8 @@ impl Context<'_> {
             }
             Quantity::Angle { joint } => format!("{joint}.angle"),
             Quantity::Displacement { joint } => format!("{joint}.displacement"),
-            Quantity::RelativeAngle { bodies } => {
+            Quantity::JointCoordinate { joint, coordinate } => format!("{joint}.{coordinate}"),
+            Quantity::RelativeAngle { bodies, .. } => {
                 format!("angle of {} from {}", bodies[1], bodies[0])
             }
             Quantity::Distance { bodies, .. } => {

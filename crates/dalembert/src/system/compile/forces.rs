@@ -1,26 +1,23 @@
 //! Force elements.
 
 use super::context::{Context, GlobalMeasure};
-use super::joints::Direction;
+use super::geometry::{Direction, Geometry};
 use super::names::Property;
 use super::place::Place;
+use super::quantities::dim_of;
 use crate::diagnostic::Diagnostic;
 use crate::force::{Bushing, ForceElement, MeasureForce, PointForce, PointGravity};
-use crate::joint::{Measure, PlanarMeasure};
+use crate::joint::{Measure, MeasureKind};
 use crate::model::{Axes, ForceKind, Matrix, Value};
 use crate::signal::{Coefficient, SignalKind};
-use crate::space::Planar;
 use crate::system::ForceData;
 use dalembert_expr::{Dim, Quantity};
-use nalgebra::{Matrix3, Vector2};
+use nalgebra::{DMatrix, Vector3};
 use smallvec::{SmallVec, smallvec};
+use std::marker::PhantomData;
 use std::sync::Arc;
 
-type Built = (
-    &'static str,
-    Arc<dyn ForceElement<Planar>>,
-    SmallVec<[usize; 4]>,
-);
+type Built<S> = (&'static str, Arc<dyn ForceElement<S>>, SmallVec<[usize; 4]>);
 
 /// Coefficients of a spring-damper-actuator as the user gave them.
 #[derive(Clone, Copy, Default)]
@@ -31,7 +28,7 @@ struct Law<'a> {
     actuator: Option<(&'a str, &'a Value)>,
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Compiles the force elements.
     pub fn forces(&mut self) {
         let model = self.model;
@@ -62,7 +59,7 @@ impl Context<'_> {
             let place = Place::new("force", index, "force", &force.name);
             let [first, second] = self.two_points(bodies, at, &place.owner, &place.path);
             let m = GlobalMeasure {
-                kind: PlanarMeasure::Distance,
+                kind: S::Measure::DISTANCE,
                 first,
                 second,
             };
@@ -86,7 +83,7 @@ impl Context<'_> {
         }
     }
 
-    fn force(&mut self, name: &str, kind: &ForceKind, place: &Place) -> Option<Built> {
+    fn force(&mut self, name: &str, kind: &ForceKind, place: &Place) -> Option<Built<S>> {
         match kind {
             ForceKind::Force {
                 body,
@@ -97,60 +94,60 @@ impl Context<'_> {
                 let own = self.place(body, &place.owner, &place.key("body"));
                 let at = self.optional_point(at.as_ref(), place, "at");
                 let at = self.or_origin(at);
-                if value.len() != 2 {
+                if value.len() != S::LINEAR {
+                    let help = if S::LINEAR == 2 {
+                        "write value = [fx, fy]"
+                    } else {
+                        "write value = [fx, fy, fz]"
+                    };
                     self.report(
                         Diagnostic::error(
                             "wrong-length",
                             place.key("value"),
                             format!(
-                                "{}: expected 2 components, found {}",
+                                "{}: expected {} components, found {}",
                                 place.owner,
+                                S::LINEAR,
                                 value.len()
                             ),
                         )
-                        .help("write value = [fx, fy]"),
+                        .help(help),
                     );
                     return None;
                 }
-                let mut markers: SmallVec<[usize; 4]> = smallvec![self.marker(&own, at, 0.0)];
-                let force = [0, 1].map(|k| {
-                    self.coefficient(
-                        Some(&value[k]),
-                        0.0,
-                        Dim::FORCE,
-                        place,
-                        &format!("value[{k}]"),
-                        &mut markers,
-                    )
-                });
+                let marker = self.marker(&own, &S::frame(&at));
+                let mut markers: SmallVec<[usize; 4]> = smallvec![marker];
+                let components = self.components(value, Dim::FORCE, place, &mut markers);
                 let element = PointForce {
-                    force,
-                    moment: Coefficient::Constant(0.0),
+                    components,
                     body_axes: *axes == Axes::Body,
-                    moment_only: false,
+                    moment: false,
                 };
                 Some(("force", Arc::new(element), markers))
             }
-            ForceKind::Moment { body, value } => {
+            ForceKind::Moment { body, value, axes } => {
                 let own = self.place(body, &place.owner, &place.key("body"));
-                let mut markers: SmallVec<[usize; 4]> =
-                    smallvec![self.marker(&own, Vector2::zeros(), 0.0)];
-                let moment =
-                    self.coefficient(Some(value), 0.0, Dim::MOMENT, place, "value", &mut markers);
+                let marker = self.marker(&own, &S::frame(&Vector3::zeros()));
+                let mut markers: SmallVec<[usize; 4]> = smallvec![marker];
+                let value = S::axial(value);
+                let components = self.components(value, Dim::MOMENT, place, &mut markers);
                 let element = PointForce {
-                    force: [Coefficient::Constant(0.0), Coefficient::Constant(0.0)],
-                    moment,
-                    body_axes: false,
-                    moment_only: true,
+                    components,
+                    body_axes: *axes == Some(Axes::Body),
+                    moment: true,
                 };
                 Some(("moment", Arc::new(element), markers))
             }
-            ForceKind::Actuator { joint, value } => {
+            ForceKind::Actuator {
+                joint,
+                value,
+                coordinate,
+            } => {
                 let law = Law {
                     actuator: Some(("value", value)),
                     ..Law::default()
                 };
-                let m = self.actuated(joint, law, place)?;
+                let m = self.actuated(joint, coordinate.as_deref(), law, place)?;
                 Some(self.measure_force("actuator", m, law, 0.0, true, place))
             }
             ForceKind::SpringDamper {
@@ -173,15 +170,13 @@ impl Context<'_> {
             }
             ForceKind::TorsionSpring {
                 bodies,
+                axis,
                 stiffness,
                 damping,
                 free_angle,
                 moment,
             } => {
-                let q = crate::model::Quantity::RelativeAngle {
-                    bodies: bodies.clone(),
-                };
-                let m = self.quantity(&q, &place.owner, &place.path)?;
+                let m = S::relative_angle(self, bodies, axis.as_ref(), place)?;
                 let law = Law {
                     stiffness: stiffness.as_ref(),
                     damping: damping.as_ref(),
@@ -197,6 +192,7 @@ impl Context<'_> {
                 stiffness,
                 damping,
                 free,
+                coordinate,
             } => {
                 let law = Law {
                     stiffness: stiffness.as_ref(),
@@ -204,7 +200,7 @@ impl Context<'_> {
                     free: free.as_ref().map(|v| ("free", v)),
                     actuator: None,
                 };
-                let m = self.actuated(joint, law, place)?;
+                let m = self.actuated(joint, coordinate.as_deref(), law, place)?;
                 self.warn_powerless(law, place);
                 Some(self.measure_force("joint-spring", m, law, 0.0, false, place))
             }
@@ -213,7 +209,7 @@ impl Context<'_> {
                 stiffness,
                 damping,
             } => {
-                let m = self.placement(placement, place, Direction::Keep)?;
+                let m = S::placement(self, placement, place, Direction::Keep)?;
                 let k = self.matrix(
                     stiffness,
                     [Dim::STIFFNESS, Dim::FORCE, Dim::MOMENT],
@@ -225,11 +221,12 @@ impl Context<'_> {
                         let dims = [Dim::STIFFNESS, Dim::FORCE, Dim::MOMENT].map(|d| d * Dim::TIME);
                         self.matrix(c, dims, place, "damping")
                     }
-                    None => Some(Matrix3::zeros()),
+                    None => Some(DMatrix::zeros(S::NV, S::NV)),
                 };
                 let element = Bushing {
                     stiffness: k?,
                     damping: c?,
+                    space: PhantomData,
                 };
                 Some(("bushing", Arc::new(element), SmallVec::from_slice(&m)))
             }
@@ -253,8 +250,8 @@ impl Context<'_> {
                     );
                     return None;
                 };
-                let mass = self.mass[9 * number];
-                let marker = self.marker(&own, own.center, 0.0);
+                let mass = self.mass[S::NV * S::NV * number];
+                let marker = self.marker(&own, &S::frame(&own.center));
                 let element = PointGravity {
                     mass,
                     mu,
@@ -265,10 +262,41 @@ impl Context<'_> {
         }
     }
 
+    /// The components of a force or of a moment.
+    fn components(
+        &mut self,
+        value: &[Value],
+        dim: Dim,
+        place: &Place,
+        markers: &mut SmallVec<[usize; 4]>,
+    ) -> Vec<Coefficient<S>> {
+        let count = value.len();
+        let components = value.iter().enumerate();
+        components
+            .map(|(k, value)| {
+                let key = if count == 1 {
+                    "value".to_owned()
+                } else {
+                    format!("value[{k}]")
+                };
+                self.coefficient(Some(value), 0.0, dim, place, &key, markers)
+            })
+            .collect()
+    }
+
     /// The coordinate of the joint that a law acts on. Without one the law is looked at all the
     /// same, with whatever dimensions it has.
-    fn actuated(&mut self, joint: &str, law: Law<'_>, place: &Place) -> Option<GlobalMeasure> {
-        let m = self.only_coordinate(joint, &place.owner, &place.path);
+    fn actuated(
+        &mut self,
+        joint: &str,
+        coordinate: Option<&str>,
+        law: Law<'_>,
+        place: &Place,
+    ) -> Option<GlobalMeasure<S>> {
+        let m = match coordinate {
+            Some(name) => self.joint_coordinate(joint, name, &place.owner, &place.path),
+            None => self.only_coordinate(joint, &place.owner, &place.path),
+        };
         if m.is_none() {
             let plain = |value: Option<_>, key| value.map(|value| (key, value));
             for (key, value) in [
@@ -307,19 +335,20 @@ impl Context<'_> {
     fn measure_force(
         &mut self,
         kind: &'static str,
-        m: GlobalMeasure,
+        m: GlobalMeasure<S>,
         law: Law<'_>,
         rest: f64,
         pushes: bool,
         place: &Place,
-    ) -> Built {
+    ) -> Built<S> {
         let mut markers: SmallVec<[usize; 4]> = smallvec![m.first, m.second];
         let force = if m.kind.is_angle() {
             Dim::MOMENT
         } else {
             Dim::FORCE
         };
-        let stiffness_dim = force / m.kind.dim();
+        let own = dim_of::<S>(m.kind);
+        let stiffness_dim = force / own;
         let stiffness = self.coefficient(
             law.stiffness,
             0.0,
@@ -337,7 +366,7 @@ impl Context<'_> {
             &mut markers,
         );
         let (key, value) = law.free.map_or(("free", None), |(k, v)| (k, Some(v)));
-        let free = self.coefficient(value, rest, m.kind.dim(), place, key, &mut markers);
+        let free = self.coefficient(value, rest, own, place, key, &mut markers);
         let (key, value) = law.actuator.map_or(("force", None), |(k, v)| (k, Some(v)));
         let mut actuator = self.coefficient(value, 0.0, force, place, key, &mut markers);
         if pushes {
@@ -377,24 +406,33 @@ impl Context<'_> {
         dims: [Dim; 3],
         place: &Place,
         key: &str,
-    ) -> Option<Matrix3<f64>> {
+    ) -> Option<DMatrix<f64>> {
         // dims: translation-translation, translation-rotation, rotation-rotation.
-        let dim = |i: usize, j: usize| dims[usize::from(i == 2) + usize::from(j == 2)];
+        let n = S::NV;
+        let turns = |k: usize| usize::from(k >= S::LINEAR);
+        let dim = |i: usize, j: usize| dims[turns(i) + turns(j)];
         let path = place.key(key);
         let wrong = |context: &mut Self| {
             context.report(
                 Diagnostic::error(
                     "wrong-length",
                     &path,
-                    format!("{}: {key} must be 3 numbers or 3 rows of 3", place.owner),
+                    format!(
+                        "{}: {key} must be {n} numbers or {n} rows of {n}",
+                        place.owner
+                    ),
                 )
-                .help("write [kx, ky, k_angle]"),
+                .help(if n == 3 {
+                    "write [kx, ky, k_angle]"
+                } else {
+                    "write [kx, ky, kz, k_about_x, k_about_y, k_about_z]"
+                }),
             );
         };
-        let mut out = Matrix3::zeros();
+        let mut out = DMatrix::zeros(n, n);
         match matrix {
             Matrix::Diagonal(values) => {
-                if values.len() != 3 {
+                if values.len() != n {
                     wrong(self);
                     return None;
                 }
@@ -408,7 +446,7 @@ impl Context<'_> {
                 }
             }
             Matrix::Rows(rows) => {
-                if rows.len() != 3 || rows.iter().any(|r| r.len() != 3) {
+                if rows.len() != n || rows.iter().any(|r| r.len() != n) {
                     wrong(self);
                     return None;
                 }

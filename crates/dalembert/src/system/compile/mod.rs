@@ -1,4 +1,4 @@
-//! From a model to a compiled planar system: every number resolved, every mistake collected.
+//! From a model to a compiled system: every number resolved, every mistake collected.
 
 mod bodies;
 mod built;
@@ -6,15 +6,18 @@ mod constraints;
 mod context;
 mod drawing;
 mod drivers;
+mod elements;
 mod forces;
-mod joints;
-mod mass;
+mod geometry;
 mod names;
 mod options;
 mod outlines;
 mod place;
+mod planar;
 mod quantities;
+mod spatial;
 mod tables;
+mod wrong_space;
 
 pub use drawing::{Drawing, DrawnBody, DrawnElement, DrawnEnd, DrawnForm, DrawnShape};
 pub use options::Options;
@@ -22,15 +25,15 @@ pub use options::Options;
 use super::System;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::{Model, SpaceKind, Value};
-use crate::space::Planar;
+use crate::space::{Planar, Space, Spatial};
 use context::Context;
 use indexmap::IndexMap;
 
 /// A compiled model.
 #[derive(Clone, Debug)]
-pub struct Compiled {
+pub struct Compiled<S: Space = Planar> {
     /// The system with the rows of all phases (see [`System::running`], [`System::start_positions`]).
-    pub system: System<Planar>,
+    pub system: System<S>,
     /// Options of the analyses, resolved.
     pub options: Options,
     /// Values of the parameters.
@@ -41,33 +44,58 @@ pub struct Compiled {
     pub warnings: Vec<Diagnostic>,
 }
 
+/// A space in which models can be compiled.
+pub trait ModelSpace: Space {
+    /// Which models.
+    const KIND: SpaceKind;
+    /// Compiles a model of this space; `overrides` replace parameters by name.
+    ///
+    /// # Errors
+    /// All mistakes of the model at once.
+    fn compile(model: &Model, overrides: &[(String, Value)])
+    -> Result<Compiled<Self>, Diagnostics>;
+}
+
+impl ModelSpace for Planar {
+    const KIND: SpaceKind = SpaceKind::Planar;
+
+    fn compile(model: &Model, overrides: &[(String, Value)]) -> Result<Compiled, Diagnostics> {
+        Context::new(model, overrides).compile()
+    }
+}
+
+impl ModelSpace for Spatial {
+    const KIND: SpaceKind = SpaceKind::Spatial;
+
+    fn compile(
+        model: &Model,
+        overrides: &[(String, Value)],
+    ) -> Result<Compiled<Self>, Diagnostics> {
+        Context::new(model, overrides).compile()
+    }
+}
+
 /// Compiles a model; `overrides` replace parameters by name.
 ///
 /// # Errors
-/// All mistakes of the model at once, each with its place and a remedy.
-pub fn compile(model: &Model, overrides: &[(String, Value)]) -> Result<Compiled, Diagnostics> {
-    let mut context = Context::new(model, overrides);
-    if model.info.space == SpaceKind::Spatial {
-        context.report(
+/// All mistakes of the model at once, each with its place and a remedy; or the model is of the other space.
+pub fn compile<S: ModelSpace>(
+    model: &Model,
+    overrides: &[(String, Value)],
+) -> Result<Compiled<S>, Diagnostics> {
+    if model.info.space != S::KIND {
+        let (own, other) = match S::KIND {
+            SpaceKind::Planar => ("planar", "spatial"),
+            SpaceKind::Spatial => ("spatial", "planar"),
+        };
+        return Err(Diagnostics(vec![
             Diagnostic::error(
-                "space-not-supported",
+                "other-space",
                 "model.space",
-                "spatial models cannot be computed by this version",
+                format!("the model is {other}, a {own} one is needed here"),
             )
-            .help("use space = \"planar\""),
-        );
-        return Err(Diagnostics(context.diagnostics));
+            .help(format!("use space = \"{own}\"")),
+        ]));
     }
-    context.parameters();
-    context.tables();
-    context.options();
-    context.bodies();
-    context.traces();
-    context.joints();
-    context.springs();
-    context.constraints();
-    context.drivers();
-    context.forces();
-    context.initial();
-    context.finish()
+    S::compile(model, overrides)
 }

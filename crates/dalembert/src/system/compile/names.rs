@@ -1,10 +1,12 @@
 //! What names mean in expressions.
 
 use super::context::{Context, GlobalMeasure};
+use super::geometry::Geometry;
 use crate::diagnostic::Diagnostic;
-use crate::joint::PlanarMeasure;
+use crate::joint::MeasureKind;
 use crate::model::{GROUND, JointKind, Value};
 use crate::signal::SignalKind;
+use crate::space::Space;
 use dalembert_expr::{Dim, Function, Quantity, Resolved, Scope, UnknownName, nearest};
 use indexmap::IndexMap;
 use std::cell::RefCell;
@@ -16,10 +18,10 @@ type Functions = HashMap<String, Arc<dyn Function>>;
 
 /// A property of an element that expressions may use: `crank.angle`.
 #[derive(Clone, Debug)]
-pub(super) struct Property {
+pub(super) struct Property<S: Space> {
     pub name: String,
     pub kind: SignalKind,
-    pub measure: GlobalMeasure,
+    pub measure: GlobalMeasure<S>,
     pub dim: Dim,
 }
 
@@ -75,30 +77,32 @@ impl Scope for ConstantScope<'_> {
 }
 
 /// Parameters, tables, time and properties of elements.
-pub(super) struct StateScope<'a> {
+pub(super) struct StateScope<'a, S: Space> {
     parameters: &'a Parameters,
     functions: &'a Functions,
-    properties: &'a IndexMap<String, Vec<Property>>,
+    properties: &'a IndexMap<String, Vec<Property<S>>>,
     spoilt: &'a HashSet<String>,
-    used: RefCell<Vec<(SignalKind, GlobalMeasure)>>,
+    used: RefCell<Vec<(SignalKind, GlobalMeasure<S>)>>,
 }
 
 /// What stands for the measure of time, which has none.
-const NO_MEASURE: GlobalMeasure = GlobalMeasure {
-    kind: PlanarMeasure::Angle,
-    first: 0,
-    second: 0,
-};
+fn no_measure<S: Space>() -> GlobalMeasure<S> {
+    GlobalMeasure {
+        kind: S::Measure::DISTANCE,
+        first: 0,
+        second: 0,
+    }
+}
 
-impl<'a> StateScope<'a> {
+impl<'a, S: Space> StateScope<'a, S> {
     /// Slot 0 is time.
     pub fn new(
         parameters: &'a Parameters,
         functions: &'a Functions,
-        properties: &'a IndexMap<String, Vec<Property>>,
+        properties: &'a IndexMap<String, Vec<Property<S>>>,
         spoilt: &'a HashSet<String>,
     ) -> Self {
-        let used = RefCell::new(vec![(SignalKind::Time, NO_MEASURE)]);
+        let used = RefCell::new(vec![(SignalKind::Time, no_measure())]);
         Self {
             parameters,
             functions,
@@ -109,11 +113,11 @@ impl<'a> StateScope<'a> {
     }
 
     /// What the slots stand for.
-    pub fn into_used(self) -> Vec<(SignalKind, GlobalMeasure)> {
+    pub fn into_used(self) -> Vec<(SignalKind, GlobalMeasure<S>)> {
         self.used.into_inner()
     }
 
-    fn slot(&self, kind: SignalKind, measure: GlobalMeasure) -> usize {
+    fn slot(&self, kind: SignalKind, measure: GlobalMeasure<S>) -> usize {
         let mut used = self.used.borrow_mut();
         used.iter()
             .position(|x| *x == (kind, measure))
@@ -124,7 +128,7 @@ impl<'a> StateScope<'a> {
     }
 }
 
-impl Scope for StateScope<'_> {
+impl<S: Space> Scope for StateScope<'_, S> {
     fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
         match path {
             ["t"] => Ok(Resolved::Slot {
@@ -195,7 +199,7 @@ impl Scope for StateScope<'_> {
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Refuses a name of a parameter or table that expressions could not use, or that means
     /// something else in them.
     pub fn check_name(&mut self, name: &str, owner: &str, path: &str) {

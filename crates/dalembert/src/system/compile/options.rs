@@ -1,11 +1,13 @@
 //! Options of the analyses, resolved.
 
 use super::context::Context;
+use super::geometry::Geometry;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Stabilization, Value};
+use crate::space::orientation::OrientationSet;
 use crate::words::readable;
 use dalembert_expr::Dim;
-use nalgebra::Vector2;
+use nalgebra::Vector3;
 
 /// Options of the analyses, as numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +34,8 @@ pub struct Options {
     pub actuators: Vec<String>,
     /// Independent coordinates chosen by the user.
     pub independent: Vec<String>,
+    /// Coordinates in which orientations in space are written.
+    pub orientation: OrientationSet,
 }
 
 /// Most integration steps where the model gives no number: a minute or so of a small machine, a
@@ -52,6 +56,7 @@ impl Default for Options {
             max_iterations: 50,
             actuators: Vec::new(),
             independent: Vec::new(),
+            orientation: OrientationSet::default(),
         }
     }
 }
@@ -78,7 +83,28 @@ impl Options {
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
+    /// The set of coordinates in which orientations are written.
+    fn output_orientation(&mut self) -> OrientationSet {
+        let Some(name) = &self.model.output.orientation else {
+            return OrientationSet::default();
+        };
+        name.parse().unwrap_or_else(|_| {
+            self.report(
+                Diagnostic::error(
+                    "bad-orientation",
+                    "output.orientation",
+                    format!("output: '{name}' is not a set of coordinates for orientations"),
+                )
+                .help(
+                    "write \"euler-parameters\", \"axis-angle\", \"rodriguez\", \"direction-cosines\" or a sequence \
+                     of Euler angles like \"euler-zxz\"",
+                ),
+            );
+            OrientationSet::default()
+        })
+    }
+
     /// Resolves the options and gravity.
     pub fn options(&mut self) {
         let model = self.model;
@@ -180,11 +206,12 @@ impl Context<'_> {
             max_iterations: a.max_iterations.unwrap_or(50) as usize,
             actuators: a.actuators.clone(),
             independent: a.independent.clone(),
+            orientation: self.output_orientation(),
         };
         if let Some(g) = &model.info.gravity {
             self.gravity = self
                 .vector(g, Dim::ACCELERATION, "model", "model.gravity")
-                .unwrap_or_else(Vector2::zeros);
+                .unwrap_or_else(Vector3::zeros);
         }
     }
 }

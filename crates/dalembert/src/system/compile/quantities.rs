@@ -1,24 +1,25 @@
 //! Scalar quantities that users name.
 
 use super::context::{Context, GlobalMeasure, JointPlace};
+use super::geometry::Geometry;
+use super::place::Place;
 use crate::diagnostic::Diagnostic;
-use crate::joint::PlanarMeasure;
+use crate::joint::MeasureKind;
 use crate::model::{CoordinateName, Point, Quantity};
+use crate::space::Space;
 use dalembert_expr::Dim;
-use nalgebra::Vector2;
+use nalgebra::Vector3;
 
-impl PlanarMeasure {
-    /// Dimension of the value.
-    pub(super) fn dim(self) -> Dim {
-        if self.is_angle() {
-            Dim::NONE
-        } else {
-            Dim::LENGTH
-        }
+/// Dimension of the value of a measure.
+pub(super) fn dim_of<S: Space>(kind: S::Measure) -> Dim {
+    if kind.is_length() {
+        Dim::LENGTH
+    } else {
+        Dim::NONE
     }
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Dimension of a quantity, which its kind alone says.
     pub fn quantity_dim(quantity: &Quantity) -> Dim {
         match quantity {
@@ -28,8 +29,12 @@ impl Context<'_> {
             }
             | Quantity::Angle { .. }
             | Quantity::RelativeAngle { .. } => Dim::NONE,
+            Quantity::JointCoordinate { coordinate, .. } if coordinate.starts_with("angle") => {
+                Dim::NONE
+            }
             Quantity::Coordinate { .. }
             | Quantity::Displacement { .. }
+            | Quantity::JointCoordinate { .. }
             | Quantity::Distance { .. } => Dim::LENGTH,
         }
     }
@@ -40,7 +45,7 @@ impl Context<'_> {
         quantity: &Quantity,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
+    ) -> Option<GlobalMeasure<S>> {
         match quantity {
             Quantity::Coordinate {
                 body,
@@ -50,15 +55,12 @@ impl Context<'_> {
                 let place = self.place(body, owner, &format!("{path}.body"));
                 let at = match at {
                     Some(at) => self.vector(at, Dim::LENGTH, owner, &format!("{path}.at")),
-                    None => Some(Vector2::zeros()),
+                    None => Some(Vector3::zeros()),
                 };
                 let at = self.or_origin(at);
-                let kind = match coordinate {
-                    CoordinateName::X => PlanarMeasure::GroundX,
-                    CoordinateName::Y => PlanarMeasure::GroundY,
-                    CoordinateName::Angle => PlanarMeasure::Angle,
-                };
-                let second = self.marker(&place, at, 0.0);
+                // A name of the other space has been reported.
+                let kind = S::coordinate(*coordinate)?;
+                let second = self.marker(&place, &S::frame(&at));
                 Some(GlobalMeasure {
                     kind,
                     first: 0,
@@ -69,21 +71,20 @@ impl Context<'_> {
             Quantity::Displacement { joint } => {
                 self.joint_coordinate(joint, "displacement", owner, path)
             }
-            Quantity::RelativeAngle { bodies } => {
-                let [first, second] = [0, 1].map(|k| {
-                    let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"));
-                    self.marker(&place, Vector2::zeros(), 0.0)
-                });
-                Some(GlobalMeasure {
-                    kind: PlanarMeasure::Angle,
-                    first,
-                    second,
-                })
+            Quantity::JointCoordinate { joint, coordinate } => {
+                self.joint_coordinate(joint, coordinate, owner, path)
+            }
+            Quantity::RelativeAngle { bodies, axis } => {
+                let place = Place {
+                    owner: owner.to_owned(),
+                    path: path.to_owned(),
+                };
+                S::relative_angle(self, bodies, axis.as_ref(), &place)
             }
             Quantity::Distance { bodies, at } => {
                 let [first, second] = self.two_points(bodies, at, owner, path);
                 let m = GlobalMeasure {
-                    kind: PlanarMeasure::Distance,
+                    kind: S::Measure::DISTANCE,
                     first,
                     second,
                 };
@@ -104,17 +105,17 @@ impl Context<'_> {
             let place = self.place(&bodies[k], owner, &format!("{path}.bodies[{k}]"));
             let point = self.vector(&at[k], Dim::LENGTH, owner, &format!("{path}.at[{k}]"));
             let point = self.or_origin(point);
-            self.marker(&place, point, 0.0)
+            self.marker(&place, &S::frame(&point))
         })
     }
 
     /// Refuses a distance that is zero in the estimate: its direction would be undefined.
     pub fn nonzero_distance(
         &mut self,
-        m: GlobalMeasure,
+        m: GlobalMeasure<S>,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
+    ) -> Option<GlobalMeasure<S>> {
         if self.stand_ins || self.estimate(m) > 0.0 {
             return Some(m);
         }
@@ -136,8 +137,19 @@ impl Context<'_> {
         name: &str,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
-        let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
+    ) -> Option<GlobalMeasure<S>> {
+        self.coordinate_at(joint, name, owner, &format!("{path}.joint"))
+    }
+
+    /// A free coordinate of a joint by its name; `path` is where the joint is named.
+    pub fn coordinate_at(
+        &mut self,
+        joint: &str,
+        name: &str,
+        owner: &str,
+        path: &str,
+    ) -> Option<GlobalMeasure<S>> {
+        let place = self.joint_place(joint, owner, path)?;
         if let Some(c) = place.coordinates.iter().find(|c| c.name == name) {
             return Some(GlobalMeasure {
                 kind: c.measure.kind,
@@ -168,7 +180,7 @@ impl Context<'_> {
         joint: &str,
         owner: &str,
         path: &str,
-    ) -> Option<GlobalMeasure> {
+    ) -> Option<GlobalMeasure<S>> {
         let place = self.joint_place(joint, owner, &format!("{path}.joint"))?;
         if let [c] = place.coordinates.as_slice() {
             return Some(GlobalMeasure {
@@ -188,7 +200,7 @@ impl Context<'_> {
         None
     }
 
-    fn joint_place(&mut self, joint: &str, owner: &str, path: &str) -> Option<JointPlace> {
+    fn joint_place(&mut self, joint: &str, owner: &str, path: &str) -> Option<JointPlace<S>> {
         if let Some(j) = self.joint_places.get(joint) {
             return Some(j.clone());
         }

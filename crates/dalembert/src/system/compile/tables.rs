@@ -1,6 +1,7 @@
 //! Tables become functions of one variable.
 
 use super::context::Context;
+use super::geometry::Geometry;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Interpolation, Table, Value};
 use crate::words::counted;
@@ -13,7 +14,7 @@ struct Column {
     quantity: Quantity,
 }
 
-impl Context<'_> {
+impl<S: Geometry> Context<'_, S> {
     /// Resolves the tables; expressions then use them by name.
     pub fn tables(&mut self) {
         let model = self.model;

@@ -1,9 +1,11 @@
 //! Mass properties of bodies from their shapes.
 
-use super::context::{Context, rotate};
-use super::place::Place;
+use super::super::context::Context;
+use super::super::place::Place;
+use super::rotate;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Body, Shape, ShapeKind};
+use crate::model::{Body, Inertia, Shape, ShapeKind, Value};
+use crate::space::Planar;
 use dalembert_expr::Dim;
 use nalgebra::Vector2;
 
@@ -20,6 +22,14 @@ struct Geometry {
     area: f64,
     centroid: Vector2<f64>,
     gyration2: f64,
+}
+
+/// The moment of inertia in the plane; tensors have been refused before.
+fn planar(inertia: &Inertia) -> Option<&Value> {
+    match inertia {
+        Inertia::Moment(value) => Some(value),
+        Inertia::Moments(_) | Inertia::Tensor(_) => None,
+    }
 }
 
 impl MassProperties {
@@ -43,9 +53,9 @@ impl MassProperties {
     }
 }
 
-impl Context<'_> {
+impl Context<'_, Planar> {
     /// Mass properties of a body; missing ones are zero (massless).
-    pub fn mass_properties(&mut self, body: &Body, place: &Place) -> MassProperties {
+    pub(super) fn mass_properties(&mut self, body: &Body, place: &Place) -> MassProperties {
         let mut parts = Vec::new();
         for (k, shape) in body.shape.iter().enumerate() {
             let own = Place {
@@ -57,12 +67,13 @@ impl Context<'_> {
             }
         }
         let mass = self.optional(body.mass.as_ref(), Dim::MASS, place, "mass");
-        let inertia = self.optional(body.inertia.as_ref(), Dim::INERTIA, place, "inertia");
+        let moment = body.inertia.as_ref().and_then(planar);
+        let inertia = self.optional(moment, Dim::INERTIA, place, "inertia");
         let center = match &body.center {
             Some(c) => self.vector(c, Dim::LENGTH, &place.owner, &place.key("center")),
-            None => Some(Vector2::zeros()),
+            None => None,
         }
-        .unwrap_or_else(Vector2::zeros);
+        .map_or_else(Vector2::zeros, |c| c.xy());
         for (value, key) in [(mass, "mass"), (inertia, "inertia")] {
             if let Some(x) = value
                 && x < 0.0
@@ -139,7 +150,7 @@ impl Context<'_> {
     }
 
     fn shape_part(&mut self, shape: &Shape, place: &Place) -> Option<MassProperties> {
-        let at = self.optional_point(shape.at.as_ref(), place, "at")?;
+        let at = self.optional_point(shape.at.as_ref(), place, "at")?.xy();
         let angle = self
             .optional(shape.angle.as_ref(), Dim::NONE, place, "angle")
             .unwrap_or(0.0);
@@ -189,7 +200,12 @@ impl Context<'_> {
         };
         let lump_inertia = match &shape.kind {
             ShapeKind::Lump { inertia } => self
-                .optional(inertia.as_ref(), Dim::INERTIA, place, "inertia")
+                .optional(
+                    inertia.as_ref().and_then(planar),
+                    Dim::INERTIA,
+                    place,
+                    "inertia",
+                )
                 .unwrap_or(0.0),
             _ => 0.0,
         };
@@ -253,12 +269,27 @@ impl Context<'_> {
                     .enumerate()
                     .map(|(k, p)| {
                         self.vector(p, Dim::LENGTH, &place.owner, &format!("{path}[{k}]"))
+                            .map(|p| p.xy())
                     })
                     .collect();
                 let corners: Option<Vec<_>> = corners.into_iter().collect();
                 return self.polygon(&corners?, place);
             }
             ShapeKind::Lump { .. } => centred(0.0, 0.0),
+            // Refused before.
+            ShapeKind::Box { .. }
+            | ShapeKind::Cylinder { .. }
+            | ShapeKind::Tube { .. }
+            | ShapeKind::Sphere { .. }
+            | ShapeKind::Shell { .. }
+            | ShapeKind::Hemisphere { .. }
+            | ShapeKind::Cone { .. }
+            | ShapeKind::Rod { .. }
+            | ShapeKind::Disk { .. }
+            | ShapeKind::Plate { .. }
+            | ShapeKind::Ellipsoid { .. }
+            | ShapeKind::Mesh { .. }
+            | ShapeKind::Torus { .. } => return None,
         })
     }
 

@@ -1,25 +1,17 @@
 //! Where a joint or a force element sits on its two bodies.
 
-use super::super::context::{Context, rotate};
+use super::super::context::Context;
+use super::super::geometry::Direction;
 use super::super::place::Place;
+use super::rotate;
 use crate::diagnostic::Diagnostic;
 use crate::model::Placement;
+use crate::space::{Planar, PlanarFrame};
 use dalembert_expr::Dim;
 
-/// What a placement needs of its direction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in super::super) enum Direction {
-    /// Axes of the bodies where none is given.
-    Optional,
-    /// The relative angle of the estimate where none is given.
-    Keep,
-    /// Must be given.
-    Needed,
-}
-
-impl Context<'_> {
+impl Context<'_, Planar> {
     /// Markers of a placement on its two bodies.
-    pub fn placement(
+    pub(super) fn planar_placement(
         &mut self,
         p: &Placement,
         place: &Place,
@@ -54,12 +46,12 @@ impl Context<'_> {
                         &place.key(&format!("at[{k}]")),
                     )
                 });
-                [self.or_origin(x), self.or_origin(y)]
+                [self.or_origin(x).xy(), self.or_origin(y).xy()]
             }
             (None, Some(point)) => {
                 let point = self.vector(point, Dim::LENGTH, &place.owner, &place.key("point"));
-                let point = self.or_origin(point);
-                [&a, &b].map(|body| rotate(-body.angle, &(point - body.origin)))
+                let point = self.or_origin(point).xy();
+                [&a, &b].map(|body| rotate(-body.frame.angle, &(point - body.frame.at)))
             }
             (given, _) => {
                 let (code, text) = if given.is_some() {
@@ -100,7 +92,7 @@ impl Context<'_> {
                     return None;
                 }
                 let angle = d.y.atan2(d.x);
-                [angle - a.angle, angle - b.angle]
+                [angle - a.frame.angle, angle - b.frame.angle]
             }
             (Some(_), Some(_)) => {
                 self.report(
@@ -115,7 +107,7 @@ impl Context<'_> {
             }
             (None, None) => match direction {
                 Direction::Optional => [0.0, 0.0],
-                Direction::Keep => [0.0, a.angle - b.angle],
+                Direction::Keep => [0.0, a.frame.angle - b.frame.angle],
                 Direction::Needed => {
                     self.report(
                         Diagnostic::error("no-direction", &place.path, format!("{}: its direction is missing", place.owner))
@@ -125,9 +117,10 @@ impl Context<'_> {
                 }
             },
         };
-        Some([
-            self.marker(&a, points[0], angles[0]),
-            self.marker(&b, points[1], angles[1]),
-        ])
+        let [first, second] = [0, 1].map(|k| PlanarFrame {
+            at: points[k],
+            angle: angles[k],
+        });
+        Some([self.marker(&a, &first), self.marker(&b, &second)])
     }
 }

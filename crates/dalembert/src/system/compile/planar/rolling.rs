@@ -3,14 +3,15 @@
 use super::super::built::Built;
 use super::super::context::Context;
 use super::super::place::Place;
-use super::{ANGLE, between};
+use super::joints::{ANGLE, between};
 use crate::diagnostic::Diagnostic;
 use crate::joint::{MeasureRow, MeasureTerm, PlanarMeasure, RollingOnCircle, TimeFunction};
 use crate::model::Side;
+use crate::space::Planar;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
-impl Context<'_> {
+impl Context<'_, Planar> {
     /// Rolling without slip of the second marker's circle on the first marker's x axis:
     /// xi + sigma r phi = constant, sigma = +1 where the circle lies to the left (Shabana, rack and
     /// pinion, with the sign by side).
@@ -66,7 +67,7 @@ impl Context<'_> {
         first: f64,
         second: f64,
         place: &Place,
-    ) -> Option<Built> {
+    ) -> Option<Built<Planar>> {
         let distance = first + second;
         if distance == 0.0 {
             self.report(

@@ -6,12 +6,12 @@ use super::super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::joint::{Measure, MeasureRow, MeasureRows, MeasureTerm, PlanarMeasure, TimeFunction};
 use crate::model::{GROUND, Value};
+use crate::space::{Planar, PlanarFrame};
 use dalembert_expr::Quantity;
-use nalgebra::Vector2;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
-impl Context<'_> {
+impl Context<'_, Planar> {
     pub(super) fn gear(
         &mut self,
         bodies: &[String; 2],
@@ -19,7 +19,7 @@ impl Context<'_> {
         radii: &[Value; 2],
         internal: bool,
         place: &Place,
-    ) -> Option<Built> {
+    ) -> Option<Built<Planar>> {
         let names = [
             bodies[0].as_str(),
             bodies[1].as_str(),
@@ -43,7 +43,7 @@ impl Context<'_> {
         }
         let origin = |context: &mut Self, name: &str, path: String| {
             let body = context.place(name, &place.owner, &path);
-            context.marker(&body, Vector2::zeros(), 0.0)
+            context.marker(&body, &PlanarFrame::default())
         };
         let k = origin(self, carrier.unwrap_or(GROUND), place.key("carrier"));
         let i = origin(self, &bodies[0], place.key("bodies[0]"));
@@ -95,10 +95,7 @@ impl Context<'_> {
         row.target = TimeFunction::Constant(row.sum(&poses));
         Some(Built {
             kind: "gear",
-            element: Arc::new(MeasureRows {
-                markers: 3,
-                rows: smallvec![row],
-            }),
+            element: Arc::new(MeasureRows::new(3, smallvec![row])),
             markers,
             coordinates: SmallVec::new(),
             auxiliary_start: SmallVec::new(),

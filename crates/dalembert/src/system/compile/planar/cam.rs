@@ -6,6 +6,7 @@ use super::super::names::ConstantScope;
 use super::super::place::Place;
 use crate::joint::{Cam, Follower, Profile};
 use crate::model::{CamFollower, CamProfile, Value};
+use crate::space::Planar;
 use dalembert_expr::{Dim, Program, Quantity, Resolved, Scope, UnknownName};
 use nalgebra::Vector2;
 use smallvec::{SmallVec, smallvec};
@@ -42,7 +43,7 @@ impl Scope for PhiScope<'_> {
     }
 }
 
-impl Context<'_> {
+impl Context<'_, Planar> {
     fn profile_program(&mut self, value: &Value, place: &Place, key: &str) -> Option<Program> {
         let text = text_of(value);
         let scope = PhiScope {
@@ -77,7 +78,7 @@ impl Context<'_> {
         follower: &CamFollower,
         phi: Option<&Value>,
         place: &Place,
-    ) -> Option<Built> {
+    ) -> Option<Built<Planar>> {
         let profile = self.profile(profile, place);
         let follower = match follower {
             CamFollower::KnifeEdge => Some(Follower::KnifeEdge),

@@ -1,0 +1,80 @@
+//! Equilibria as results.
+
+use super::problem::Problem;
+use super::{Equilibrium, Stability};
+use crate::analysis::AnalysisError;
+use crate::analysis::open_reactions::OpenReactions;
+use crate::analysis::recorder::{Extra, Recorder};
+use crate::results::{Channel, Results};
+use crate::space::Space;
+use crate::space::orientation::OrientationSet;
+
+/// One instant for each equilibrium.
+pub(super) fn record<S: Space>(
+    problem: &mut Problem<'_, S>,
+    equilibria: &[Equilibrium],
+    orientation: OrientationSet,
+) -> Result<Results, AnalysisError> {
+    let mut recorder = Recorder::new(true).with_orientation(orientation);
+    let mut open = OpenReactions::default();
+    let system = problem.system;
+    for (k, e) in equilibria.iter().enumerate() {
+        problem.evaluate(&e.q)?;
+        problem.ws.a.fill(0.0);
+        problem.ws.lambda.copy_from_slice(&e.multipliers);
+        let state = crate::system::State {
+            t: problem.time(),
+            q: e.q.clone(),
+            v: vec![0.0; system.nv()],
+        };
+        recorder.record(system, &problem.ws, &state, Extra::default());
+        open.pose(&problem.not_unique(), || {
+            format!("at equilibrium {}", k + 1)
+        });
+    }
+    let mut results = recorder.into_results(&system.name, "statics");
+    let mut put = |name: &str, unit: &str, meaning: &str, value: &dyn Fn(usize) -> f64| {
+        results.channels.push(Channel {
+            name: format!("equilibrium.{name}"),
+            unit: unit.to_owned(),
+            meaning: meaning.to_owned(),
+            values: (0..equilibria.len()).map(value).collect(),
+        });
+    };
+    put("number", "", "number of the equilibrium, from 1", &|k| {
+        (k + 1) as f64
+    });
+    put(
+        "stability",
+        "",
+        "1 stable, 0 neutral, -1 unstable",
+        &|k| match equilibria[k].stability {
+            Stability::Stable => 1.0,
+            Stability::Neutral => 0.0,
+            Stability::Unstable => -1.0,
+        },
+    );
+    put(
+        "distance",
+        "",
+        "distance from the estimate: displacement relative to the size, or turn [rad]",
+        &|k| equilibria[k].distance,
+    );
+    let first = &equilibria[0];
+    results
+        .statistics
+        .insert("iterations".to_owned(), first.iterations as f64);
+    results
+        .statistics
+        .insert("residual".to_owned(), first.residual);
+    results.notes.extend(open.notes());
+    for (k, e) in equilibria.iter().enumerate() {
+        if !e.conservative {
+            results.notes.push(format!(
+                "equilibrium {}: forces without potential act; its stiffness alone does not exclude flutter",
+                k + 1
+            ));
+        }
+    }
+    Ok(results)
+}
