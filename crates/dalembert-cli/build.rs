@@ -1,4 +1,4 @@
-//! Builds the animated page with npm and hands it to the program (feature `viewer`).
+//! Builds the animated pages with npm and hands them to the program (feature `viewer`).
 //!
 //! Everything happens in a copy of `viewer/` below OUT_DIR. Cargo never runs two builds on one
 //! OUT_DIR at a time, so two builds can never disturb each other's `node_modules`, and the source
@@ -23,6 +23,9 @@ const SOURCES: [&str; 6] = [
 
 /// The oldest major version of Node.js that the page is built with.
 const OLDEST_NODE: u32 = 18;
+
+/// The pages that the build of the viewer writes: for planar and for spatial machines.
+const PAGES: [&str; 2] = ["viewer.html", "viewer-spatial.html"];
 
 const REMEDY: &str = "install Node.js 18 or newer with npm (https://nodejs.org), then run \
     `cargo clean -p dalembert-cli` and build again";
@@ -104,7 +107,9 @@ fn build_page() -> Result<(), Box<dyn Error>> {
     }
     install(&work)?;
     npm(&work, &["run", "build"])?;
-    fs::copy(work.join("dist/viewer.html"), out.join("viewer.html"))?;
+    for page in PAGES {
+        fs::copy(work.join("dist").join(page), out.join(page))?;
+    }
     Ok(())
 }
 

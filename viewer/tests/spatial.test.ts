@@ -48,6 +48,15 @@ test("every sample is built without a problem and keeps finite places in its box
   }
 });
 
+test("a mesh of fifty thousand sharp triangles is drawn", () => {
+  const data = samples.bareLoop();
+  const count = 50_000;
+  const corners = Array.from({ length: count }, (_, i) => [i, 0, 0, i + 0.5, 1, 0, i + 0.5, 0, 1].map((v) => v / count)).flat();
+  data.bodies[0].shapes = [{ kind: "mesh", vertices: corners, triangles: Array.from({ length: 3 * count }, (_, i) => i) }];
+  const machine = new Machine(readAnimation(JSON.stringify(data)), new Materials());
+  assert.equal(machine.bodies[0]!.solid.surfaces[0]!.mesh.geometry.getAttribute("position").count, 3 * count);
+});
+
 test("geometry is built once: frames only move it", () => {
   const machine = new Machine(sample("sliderCrankInSpace"), new Materials());
   const geometries = () => everything(machine).flatMap((object) => (object instanceof Mesh ? [object.geometry.uuid] : []));
@@ -98,6 +107,16 @@ test("a body without a pose at a frame vanishes, the others stay", () => {
   const machine = new Machine(readAnimation(JSON.stringify(data)), new Materials());
   machine.show(first, options);
   assert.deepEqual(machine.bodies.map(({ group }) => group.visible), [true, false, true]);
+});
+
+test("the curves of joints are the forms of bodies that have none", () => {
+  const ring = Array.from({ length: 24 }, (_, i) => [0.2 * Math.cos((i * Math.PI) / 12), 0.2 * Math.sin((i * Math.PI) / 12)]);
+  const data = samples.bareLoop();
+  data.joints[0].second.outline = ring;
+  const machine = new Machine(readAnimation(JSON.stringify(data)), new Materials());
+  const [crank, coupler] = machine.bodies.map(({ solid }) => new Box3().setFromObject(solid.surfaces[0]!.mesh).getSize(new Vector3()));
+  assert.ok(Math.abs(crank!.x - 0.4) < 1e-6 && Math.abs(crank!.y - 0.4) < 1e-6);
+  assert.ok(coupler!.z > 0.3, "a rod");
 });
 
 test("frames and axes are shown where they are asked for", () => {

@@ -5,6 +5,7 @@ use crate::load::Loaded;
 use crate::output::write_text;
 use crate::{scene, summary, viewer};
 use dalembert::analysis::{Assembly, Mobility};
+use dalembert::model::SpaceKind;
 use dalembert::results::Results;
 use dalembert::space::Space;
 use dalembert::system::{Phase, Role, System};
@@ -13,14 +14,16 @@ use std::path::Path;
 
 /// Can pages be written? Asked before a run, so that nobody waits for a page that cannot come.
 pub fn check() -> Result<(), Failure> {
-    viewer::page()
+    // Both pages are there, or none.
+    viewer::page(SpaceKind::Planar)
         .map(drop)
         .map_err(|e| Failure::Usage(e.to_string()))
 }
 
 /// Writes the page of a run.
 pub fn write<S: Space>(loaded: &Loaded<S>, results: &Results, path: &Path) -> Result<(), Failure> {
-    let template = viewer::page().map_err(|e| Failure::Usage(e.to_string()))?;
+    let template =
+        viewer::page(loaded.model.info.space).map_err(|e| Failure::Usage(e.to_string()))?;
     let facts = facts(&loaded.compiled.system, results);
     let page =
         html(template, &scene::animation(loaded, results, facts)).map_err(|e| Failure::File {

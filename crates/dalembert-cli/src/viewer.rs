@@ -1,12 +1,23 @@
-//! The animated page that the program carries in itself.
+//! The animated pages that the program carries in itself.
 
+use dalembert::model::SpaceKind;
 use std::error::Error;
 use std::fmt;
 
 #[cfg(viewer_page)]
-const PAGE: Option<&str> = Some(include_str!(concat!(env!("OUT_DIR"), "/viewer.html")));
+const PAGES: Option<Pages> = Some(Pages {
+    planar: include_str!(concat!(env!("OUT_DIR"), "/viewer.html")),
+    spatial: include_str!(concat!(env!("OUT_DIR"), "/viewer-spatial.html")),
+});
 #[cfg(not(viewer_page))]
-const PAGE: Option<&str> = None;
+const PAGES: Option<Pages> = None;
+
+/// Planar machines have a page of their own: without the library that draws in space it is a
+/// sixth of the size.
+struct Pages {
+    planar: &'static str,
+    spatial: &'static str,
+}
 
 /// Why there is no page, as the build script found it.
 const REASON: Option<&str> = option_env!("DALEMBERT_NO_PAGE");
@@ -36,10 +47,15 @@ impl fmt::Display for ViewerError {
 
 impl Error for ViewerError {}
 
-/// The HTML of the page; its element `dalembert-data` is empty and takes the JSON of an animation.
-pub fn page() -> Result<&'static str, ViewerError> {
-    PAGE.ok_or(ViewerError::NotBuilt {
+/// The HTML of the page for machines of a kind; its element `dalembert-data` is empty and takes
+/// the JSON of an animation.
+pub fn page(space: SpaceKind) -> Result<&'static str, ViewerError> {
+    let pages = PAGES.ok_or(ViewerError::NotBuilt {
         reason: REASON.unwrap_or("the reason is not known"),
+    })?;
+    Ok(match space {
+        SpaceKind::Planar => pages.planar,
+        SpaceKind::Spatial => pages.spatial,
     })
 }
 
@@ -49,25 +65,34 @@ mod tests {
 
     #[cfg(viewer_page)]
     #[test]
-    fn the_page_has_one_place_for_data_and_asks_for_nothing() {
-        let page = page().unwrap();
+    fn the_pages_have_one_place_for_data_and_ask_for_nothing() {
         let place = r#"<script id="dalembert-data" type="application/json"></script>"#;
-        assert_eq!(page.matches(place).count(), 1);
-        assert!(page.contains("default-src 'none'"));
-        for request in [
-            "<link rel=\"stylesheet\"",
-            "<script src",
-            "@import",
-            "url(http",
-        ] {
-            assert!(!page.contains(request), "the page contains {request}");
+        for space in [SpaceKind::Planar, SpaceKind::Spatial] {
+            let page = page(space).unwrap();
+            assert_eq!(page.matches(place).count(), 1);
+            assert!(page.contains("default-src 'none'"));
+            for request in [
+                "<link rel=\"stylesheet\"",
+                "<script src",
+                "@import",
+                "url(http",
+            ] {
+                assert!(!page.contains(request), "the page contains {request}");
+            }
         }
+    }
+
+    #[cfg(viewer_page)]
+    #[test]
+    fn the_page_of_planar_machines_is_small() {
+        let size = |space| page(space).unwrap().len();
+        assert!(3 * size(SpaceKind::Planar) < size(SpaceKind::Spatial));
     }
 
     #[cfg(not(viewer_page))]
     #[test]
     fn a_program_without_the_page_says_how_to_get_it() {
-        let text = page().unwrap_err().to_string();
+        let text = page(SpaceKind::Planar).unwrap_err().to_string();
         assert!(text.contains("build"), "{text}");
     }
 }

@@ -44,7 +44,8 @@ export function bodySolid(shapes: readonly Shape[], struts: readonly BufferGeome
     if (!geometry) continue;
     const lines = shape.form.kind === "surface" ? surfaceLines(shape.form.nu, shape.form.nv, shape.form.points) : edgesOf(geometry);
     geometry.applyMatrix4(placement(shape));
-    edges.push(...moved(lines, placement(shape)));
+    // One by one: a mesh has more numbers than a call may have arguments.
+    for (const number of moved(lines, placement(shape))) edges.push(number);
     keep(geometry, own);
   }
   for (const strut of struts) keep(strut, color);

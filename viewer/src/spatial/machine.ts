@@ -12,7 +12,7 @@ import { ForceVectors } from "./force-vectors";
 import { fixedTo, JointSymbols, turnTo, type SymbolPart } from "./joint-symbols";
 import type { Materials } from "./materials";
 import { corners, measure, middle } from "./measure";
-import { distinctPoints, struts } from "./struts";
+import { distinctPoints, shapesOf, struts } from "./struts";
 import { TraceLine } from "./trace-line";
 import { meanLength, travel } from "./travel";
 import { add, isFinite3, norm, scaled, subtract } from "./vectors";
@@ -103,11 +103,12 @@ export class Machine {
   }
 
   private body(body: Body, unit: number, materials: Materials): BodyInPicture {
-    const rods = body.shapes.length === 0 ? struts(this.animation, body, unit) : [];
-    const solid = bodySolid(body.shapes, rods, body.color, unit, materials);
+    const shapes = shapesOf(this.animation, body);
+    const rods = shapes.length === 0 ? struts(this.animation, body, unit) : [];
+    const solid = bodySolid(shapes, rods, body.color, unit, materials);
     this.group.add(solid.group);
     for (const { mesh } of solid.surfaces) this.pointables.set(mesh, { body, joint: null });
-    const points = body.shapes.length > 0 ? corners(body.shapes) : distinctPoints(this.animation, body);
+    const points = shapes.length > 0 ? corners(shapes) : distinctPoints(this.animation, body);
     return { body, group: solid.group, solid, middle: middle(points) };
   }
 

@@ -3,6 +3,7 @@ import type { Animation, Body, Vec3 } from "../data/contract";
 import { bodyPose, place } from "../motion/pose";
 import { sampleFrames } from "../motion/samples";
 import { surfaceOf, placement } from "./body-solid";
+import { shapesOf } from "./struts";
 import { isFinite3 } from "./vectors";
 
 /** Frames that are looked at to find where the machine goes. */
@@ -28,7 +29,10 @@ export function measure(animation: Animation, up: Quaternion): Box3 {
     for (const side of [element.first, element.second]) add(side.body, [side.at]);
   }
   for (const trace of animation.traces) add(trace.body, [trace.at]);
-  for (const body of animation.bodies) add(body, body.shapes.length > 0 ? corners(body.shapes) : [[0, 0, 0]]);
+  for (const body of animation.bodies) {
+    const shapes = shapesOf(animation, body);
+    add(body, shapes.length > 0 ? corners(shapes) : [[0, 0, 0]]);
+  }
   add(null, corners(animation.groundShapes));
   if (box.isEmpty()) box.expandByPoint(p.set(0, 0, 0));
   if (box.getSize(p).length() < SMALLEST) box.expandByScalar(0.5);

@@ -1,4 +1,4 @@
-import { Color, DirectionalLight, HemisphereLight, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Color, DirectionalLight, HemisphereLight, Raycaster, Scene, Vector2, Vector3, WebGLRenderer, type Object3D } from "three";
 import type { Animation, Quaternion, Vec3 } from "../data/contract";
 import { formatLength } from "../data/format";
 import { make } from "../dom";
@@ -207,10 +207,14 @@ export class SpatialView implements View {
   private under(pointer: Vector2): Pointable | null {
     const { clientWidth, clientHeight } = this.host;
     this.raycaster.setFromCamera(new Vector2((2 * pointer.x) / clientWidth - 1, 1 - (2 * pointer.y) / clientHeight), this.orbit.camera);
-    const seen = [...this.machine.pointables.keys()].filter((object) => object.visible && object.parent?.visible !== false);
+    const seen = [...this.machine.pointables.keys()].filter(isShown);
     const [hit] = this.raycaster.intersectObjects(seen, false);
     return hit ? (this.machine.pointables.get(hit.object) ?? null) : null;
   }
+}
+
+function isShown(object: Object3D): boolean {
+  return object.visible && (object.parent === null || isShown(object.parent));
 }
 
 /** "x 10 mm, y 0 m, z 1 m, turned 30.00° about (0, 0, 1)" */

@@ -1,11 +1,20 @@
 import { Vector3, type BufferGeometry } from "three";
-import type { Animation, Body, Vec3 } from "../data/contract";
+import type { Animation, Body, Shape, Vec3 } from "../data/contract";
 import { strutGeometry } from "./geometry/coil";
 import { ball } from "./geometry/solid";
 import { norm, subtract } from "./vectors";
 
 /** Joints whose points say nothing of the form of a body. */
 const FORMLESS_KINDS = new Set(["gear"]);
+
+/** The shapes of a body; without any, the curves of its joints (a pitch circle, a cam's profile) as plates. */
+export function shapesOf(animation: Animation, body: Body): readonly Shape[] {
+  if (body.shapes.length > 0) return body.shapes;
+  const ends = animation.joints.flatMap(({ first, second }) => [first, second]).filter((side) => side.body === body);
+  return ends.flatMap(({ outline, at }): Shape[] =>
+    outline ? [{ form: { kind: "polygon", points: outline }, position: [0, 0, at[2]], quaternion: [1, 0, 0, 0], color: null, cut: false }] : [],
+  );
+}
 
 /** Rods between the points of a body that has no shapes; a ball where there is only one. */
 export function struts(animation: Animation, body: Body, unit: number): readonly BufferGeometry[] {
