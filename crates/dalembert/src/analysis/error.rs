@@ -38,6 +38,15 @@ pub enum AnalysisError {
         /// The joints, in words.
         elements: String,
     },
+    /// Rows that hold for velocities only leave the positions to the way that a machine takes.
+    #[error(
+        "{elements} hold velocities only (rolling, a blade): where the machine is depends on its way, which only \
+         simulate follows; use simulate"
+    )]
+    Nonholonomic {
+        /// The elements, in words.
+        elements: String,
+    },
     /// The machine can still move although its motion should be given by drivers.
     #[error(
         "the machine is not driven in every freedom: {} free ({}{names}); add drivers or use simulate",

@@ -260,7 +260,7 @@ impl<S: Space> Ode for Motion<'_, S> {
         let (q, v) = y[..nq + nv].split_at_mut(nq);
         let ws = &mut self.ws;
         system.update_active_markers(q, v, ws);
-        system.evaluate_constraints(t, ws);
+        system.evaluate_positions(t, ws);
         let (mut violation, _) = system.violation(ws);
         self.drift = violation;
         let tolerance = self.tolerance.max(system.rounding(q));
@@ -287,9 +287,12 @@ impl<S: Space> Ode for Motion<'_, S> {
             ws.solve(&self.metric.blocks, &self.zero);
             system.advance(q, 1.0, &ws.a);
             system.update_active_markers(q, v, ws);
-            system.evaluate_constraints(t, ws);
+            system.evaluate_positions(t, ws);
             violation = system.violation(ws).0;
             iterations += 1;
+        }
+        if !system.velocity_rows().is_empty() {
+            system.evaluate_constraints(t, ws);
         }
         self.metric.factor(system, ws);
         system.jac_mul(ws, v, &mut self.rate);

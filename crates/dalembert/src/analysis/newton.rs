@@ -65,7 +65,7 @@ pub(super) fn correct_positions<S: Space>(
     trial.clear();
     trial.extend_from_slice(&state.q);
     system.update_markers(&state.q, &state.v, ws);
-    system.evaluate_constraints(state.t, ws);
+    system.evaluate_positions(state.t, ws);
     report.residual = system.violation(ws).0;
     let tolerance = options.tolerance.max(system.rounding(&state.q));
     while report.residual > tolerance {
@@ -96,7 +96,7 @@ pub(super) fn correct_positions<S: Space>(
             trial.copy_from_slice(&state.q);
             system.advance(trial, factor, &step);
             system.update_markers(trial, &state.v, ws);
-            system.evaluate_constraints(state.t, ws);
+            system.evaluate_positions(state.t, ws);
             let residual = system.violation(ws).0;
             if residual < report.residual || halvings >= 12 {
                 break residual;
@@ -111,12 +111,12 @@ pub(super) fn correct_positions<S: Space>(
         if reached.is_nan() || reached >= report.residual {
             if report.residual <= tolerance.max(STAGNATION) {
                 system.update_markers(&state.q, &state.v, ws);
-                system.evaluate_constraints(state.t, ws);
+                system.evaluate_positions(state.t, ws);
                 break;
             }
             if reached.is_nan() || reached >= 2.0 * report.residual || report.residual < 1e-6 {
                 system.update_markers(&state.q, &state.v, ws);
-                system.evaluate_constraints(state.t, ws);
+                system.evaluate_positions(state.t, ws);
                 return fail(system, ws, state, report);
             }
         }

@@ -7,26 +7,33 @@
 
 mod cam;
 mod expression_rows;
+mod knife_edge;
 mod measure;
 mod measure_rows;
 mod planar_measure;
 mod point_on_curve;
 mod rolling;
+mod rolling_on_plane;
 mod spatial_measure;
 mod time_function;
+mod velocity_rows;
 
 pub use cam::{Cam, Follower, Profile};
 pub use expression_rows::ExpressionRows;
+pub use knife_edge::KnifeEdge;
 pub use measure::{Measure, MeasureKind, Measured};
 pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
 pub use planar_measure::PlanarMeasure;
 pub use point_on_curve::PointOnCurve;
 pub use rolling::RollingOnCircle;
+pub use rolling_on_plane::RollingOnPlane;
 pub use spatial_measure::SpatialMeasure;
 pub use time_function::{RateIntegral, TimeFunction};
+pub use velocity_rows::VelocityRows;
 
 use crate::space::Space;
 use std::fmt::Debug;
+use std::ops::Range;
 
 /// Unit of a constraint row: decides its scale.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,6 +101,11 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     /// Labels of the auxiliary coordinates and their units.
     fn auxiliaries(&self) -> Vec<RowLabel> {
         Vec::new()
+    }
+    /// Which of its rows hold for velocities only, a.v + b = 0 (nonholonomic): C is zero there, its gradient by the twists
+    /// is a, C_t is b, and the bias is the derivative of the row where the accelerations vanish.
+    fn velocity_rows(&self) -> Range<usize> {
+        0..0
     }
     /// Residual and derivatives at a state.
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>);

@@ -34,6 +34,12 @@ pub enum ConstraintKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         value: Option<Value>,
     },
+    /// An expression of `t`, parameters, positions and velocities of elements, linear in the velocities, stays zero: it
+    /// holds velocities only (nonholonomic).
+    Velocity {
+        /// The expression.
+        expression: Value,
+    },
     /// An expression of `t`, parameters and positions of elements stays zero.
     Expression {
         /// The expression.

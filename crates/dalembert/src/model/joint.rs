@@ -243,6 +243,38 @@ pub enum JointKind {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         second_axis: Option<Point>,
     },
+    /// A wheel or a disc (second body, its centre at the joint's point, its axle the second axis) that rolls without
+    /// slipping on a plane of the first body (through the joint's point, across the first axis) (spatial).
+    RollingDisc {
+        /// Where; `at` (a point of the plane, the centre) and `axes` (across the plane, the axle), or `axis` (across the
+        /// plane) together with `second_axis` (the axle) are needed.
+        #[serde(flatten)]
+        placement: Placement,
+        /// Direction of the axle, in ground axes at the initial estimate.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        second_axis: Option<Point>,
+        /// Radius of the wheel [m].
+        radius: Value,
+        /// Radius of the round profile of the rim, within `radius` [m]; default 0, a thin disc.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rounding: Option<Value>,
+    },
+    /// A ball (second body, its centre at the joint's point) that rolls without slipping on a plane of the first body
+    /// (through the joint's point, across the axis) (spatial).
+    RollingBall {
+        /// Where; `at` (a point of the plane, the centre), and `axis` or `axes` (the first counts) are needed.
+        #[serde(flatten)]
+        placement: Placement,
+        /// Radius of the ball [m].
+        radius: Value,
+    },
+    /// A skate or a blade: the point of the second body moves on the first, but not sideways, along the joint z axis of
+    /// the second body (spatial).
+    KnifeEdge {
+        /// Where; `axis` or `axes` (the second counts) is needed.
+        #[serde(flatten)]
+        placement: Placement,
+    },
     /// Gears on two joints with an angle: the second angle changes by `ratio` times the change of the first; axes in any
     /// directions (spatial).
     GearPair {
@@ -284,7 +316,10 @@ impl JointKind {
             | Self::PointOnPlane { placement }
             | Self::PointOnCurve { placement, .. }
             | Self::ParallelAxes { placement }
-            | Self::PerpendicularAxes { placement, .. } => Some(placement),
+            | Self::PerpendicularAxes { placement, .. }
+            | Self::RollingDisc { placement, .. }
+            | Self::RollingBall { placement, .. }
+            | Self::KnifeEdge { placement } => Some(placement),
             Self::Gear { .. } | Self::GearPair { .. } | Self::RackPair { .. } => None,
         }
     }

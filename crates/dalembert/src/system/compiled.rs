@@ -59,6 +59,8 @@ pub struct System<S: Space> {
     /// Number of auxiliary coordinates.
     pub aux: usize,
     row_refs: Vec<RowRef>,
+    /// Rows that hold for velocities only.
+    velocity_rows: Vec<usize>,
     /// Markers that elements and forces see.
     active: Vec<usize>,
     max_rows: usize,
@@ -101,6 +103,7 @@ impl<S: Space> System<S> {
             rows: 0,
             aux: 0,
             row_refs: Vec::new(),
+            velocity_rows: Vec::new(),
             active: Vec::new(),
             max_rows: 0,
             max_markers: 0,
@@ -114,6 +117,7 @@ impl<S: Space> System<S> {
     fn lay_out(&mut self) {
         let (mut rows, mut aux) = (0, 0);
         self.row_refs.clear();
+        self.velocity_rows.clear();
         for (number, e) in self.elements.iter_mut().enumerate() {
             let labels = e.element.labels();
             let auxiliaries = e.element.auxiliaries().len();
@@ -129,6 +133,8 @@ impl<S: Space> System<S> {
                 e.slots.push(slot);
             }
             e.rows = rows..rows + labels.len();
+            let own = e.element.velocity_rows();
+            self.velocity_rows.extend(own.map(|r| rows + r));
             e.aux = aux..aux + auxiliaries;
             rows += labels.len();
             aux += auxiliaries;
@@ -218,6 +224,11 @@ impl<S: Space> System<S> {
     /// Number of velocity coordinates that carry mass.
     pub fn body_nv(&self) -> usize {
         self.bodies.len() * S::NV
+    }
+
+    /// Rows that hold for velocities only (nonholonomic), ascending.
+    pub fn velocity_rows(&self) -> &[usize] {
+        &self.velocity_rows
     }
 
     /// The rows in order.
@@ -379,6 +390,28 @@ impl<S: Space> System<S> {
             at += step.bodies * block;
             at_aux += nr * na;
         }
+    }
+
+    /// The same as [`System::evaluate_constraints`], for what holds positions alone: rows that hold for velocities only
+    /// have no gradient.
+    pub fn evaluate_positions(&self, t: f64, ws: &mut Workspace<S>) {
+        self.evaluate_constraints(t, ws);
+        if self.velocity_rows.is_empty() {
+            return;
+        }
+        let (jac, jac_aux) = (&mut ws.jac, &mut ws.jac_aux);
+        self.each_block(|e, _, at| {
+            for (r, row) in e.rows.clone().enumerate() {
+                if self.velocity_rows.binary_search(&row).is_ok() {
+                    jac[at + r * S::NV..at + (r + 1) * S::NV].fill(0.0);
+                }
+            }
+        });
+        self.each_aux(|row, _, at| {
+            if self.velocity_rows.binary_search(&row).is_ok() {
+                jac_aux[at] = 0.0;
+            }
+        });
     }
 
     /// Generalized applied forces Q_e (gravity and force elements) and inertia forces Q_v of turning

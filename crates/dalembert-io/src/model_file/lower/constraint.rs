@@ -11,12 +11,14 @@ enum Kind {
     Fixed,
     Coupler,
     Expression,
+    Velocity,
 }
 
-const KINDS: [(&str, Kind); 3] = [
+const KINDS: [(&str, Kind); 4] = [
     ("fixed", Kind::Fixed),
     ("coupler", Kind::Coupler),
     ("expression", Kind::Expression),
+    ("velocity", Kind::Velocity),
 ];
 
 /// Reads a `[[constraint]]`.
@@ -34,6 +36,9 @@ pub(super) fn lower(mut table: TableReader<'_>) -> Constraint {
         Some(Kind::Coupler) => ConstraintKind::Coupler {
             terms: table.required("terms", terms).unwrap_or_default(),
             value: table.value("value"),
+        },
+        Some(Kind::Velocity) => ConstraintKind::Velocity {
+            expression: table.need_value("expression"),
         },
         Some(Kind::Expression) => ConstraintKind::Expression {
             expression: table.need_value("expression"),

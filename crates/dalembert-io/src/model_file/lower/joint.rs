@@ -32,6 +32,9 @@ enum Kind {
     PointOnCurve,
     ParallelAxes,
     PerpendicularAxes,
+    RollingDisc,
+    RollingBall,
+    KnifeEdge,
     GearPair,
     RackPair,
 }
@@ -53,7 +56,7 @@ const PLANAR: [(&str, Kind); 6] = [
     ("rolling-on-circle", Kind::RollingOnCircle),
 ];
 
-const SPATIAL: [(&str, Kind); 13] = [
+const SPATIAL: [(&str, Kind); 16] = [
     ("spherical", Kind::Spherical),
     ("cylindrical", Kind::Cylindrical),
     ("universal", Kind::Universal),
@@ -65,6 +68,9 @@ const SPATIAL: [(&str, Kind); 13] = [
     ("point-on-curve", Kind::PointOnCurve),
     ("parallel-axes", Kind::ParallelAxes),
     ("perpendicular-axes", Kind::PerpendicularAxes),
+    ("rolling-disc", Kind::RollingDisc),
+    ("rolling-ball", Kind::RollingBall),
+    ("knife-edge", Kind::KnifeEdge),
     ("gear-pair", Kind::GearPair),
     ("rack-pair", Kind::RackPair),
 ];
@@ -179,6 +185,19 @@ fn kind(table: &mut TableReader<'_>) -> Option<JointKind> {
         Kind::PerpendicularAxes => JointKind::PerpendicularAxes {
             placement: placement::lower(table, "perpendicular-axes", Needs::Axis),
             second_axis: second_axis(table, "perpendicular-axes"),
+        },
+        Kind::RollingDisc => JointKind::RollingDisc {
+            placement: placement::lower(table, "rolling-disc", Needs::TwoPointsAndAxis),
+            second_axis: second_axis(table, "rolling-disc"),
+            radius: table.need_value("radius"),
+            rounding: table.value("rounding"),
+        },
+        Kind::RollingBall => JointKind::RollingBall {
+            placement: placement::lower(table, "rolling-ball", Needs::TwoPointsAndAxis),
+            radius: table.need_value("radius"),
+        },
+        Kind::KnifeEdge => JointKind::KnifeEdge {
+            placement: placement::lower(table, "knife-edge", Needs::PointAndAxis),
         },
         Kind::GearPair => JointKind::GearPair {
             joints: joints(table),

@@ -18,6 +18,8 @@ pub(super) enum Needs {
     PointAndSpatialAxis,
     /// Two different points: `at`.
     TwoPoints,
+    /// Two different points: `at`, and an axis.
+    TwoPointsAndAxis,
     /// An axis only.
     Axis,
 }
@@ -57,11 +59,12 @@ fn check_points(table: &TableReader<'_>, kind: &str, needs: Needs) {
         (true, true) => {
             table.combination("point", "`at` and `point` exclude each other", one_point);
         }
-        (false, _) if needs == Needs::TwoPoints => table.combination(
-            "point",
-            &format!("the kind `{kind}` needs two points: `at`"),
-            two_points,
-        ),
+        (false, _) if matches!(needs, Needs::TwoPoints | Needs::TwoPointsAndAxis) => table
+            .combination(
+                "point",
+                &format!("the kind `{kind}` needs two points: `at`"),
+                two_points,
+            ),
         (false, false) if needs != Needs::Axis => table.combination(
             "at",
             &format!("the kind `{kind}` needs a point: `at` or `point`"),
@@ -80,7 +83,7 @@ fn check_axes(table: &TableReader<'_>, kind: &str, needs: Needs) {
                 estimate, `x_axes = [[x, y, z], [x, y, z]]` the axis in each body's frame";
     let space = table.context().space();
     let needed = match needs {
-        Needs::PointAndAxis | Needs::Axis => true,
+        Needs::PointAndAxis | Needs::TwoPointsAndAxis | Needs::Axis => true,
         Needs::PointAndSpatialAxis => space == Spatial,
         Needs::Point | Needs::TwoPoints => false,
     };

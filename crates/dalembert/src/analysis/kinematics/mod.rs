@@ -43,6 +43,19 @@ pub struct KinematicsRun {
     pub stopped: Option<AnalysisError>,
 }
 
+/// Refuses rows that hold for velocities only: the positions then follow from the way, not from the time.
+fn refuse_rolling<S: Space>(system: &System<S>) -> Result<(), AnalysisError> {
+    let rolling = system.elements.iter();
+    let rolling = rolling.filter(|e| !e.element.velocity_rows().is_empty());
+    let names: Vec<&str> = rolling.map(|e| e.name.as_str()).collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    Err(AnalysisError::Nonholonomic {
+        elements: crate::words::listed(&names),
+    })
+}
+
 impl Kinematics {
     /// With the options of a compiled model.
     pub fn new(options: &Options) -> Self {
@@ -82,6 +95,7 @@ impl Kinematics {
         .run(system)?;
         let mut notes: Vec<String> = super::missing_mass(system).into_iter().collect();
         let running = system.running();
+        refuse_rolling(&running)?;
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
         let mut recorder = Recorder::new(true).with_orientation(self.orientation);

@@ -313,7 +313,7 @@ fn compromise<S: Space>(system: &System<S>, state: &State) -> Result<State, Anal
     let mut ws = Workspace::new(system);
     let residual = |at: &State, ws: &mut Workspace<S>| {
         system.update_markers(&at.q, &at.v, ws);
-        system.evaluate_constraints(at.t, ws);
+        system.evaluate_positions(at.t, ws);
         DVector::from_fn(rows.len(), |k, _| ws.value[k] / rows[k])
     };
     let mut c = residual(&best, &mut ws);

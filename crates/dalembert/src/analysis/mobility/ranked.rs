@@ -49,7 +49,35 @@ impl<S: Space> Ranked<S> {
         tolerance: f64,
         dense_limit: usize,
     ) -> Result<Self, AnalysisError> {
-        let mut ws = evaluated(system, state);
+        Self::of(
+            system,
+            state,
+            evaluated(system, state),
+            tolerance,
+            dense_limit,
+        )
+    }
+
+    /// Ranks the rows that hold positions.
+    pub fn positions(
+        system: &System<S>,
+        state: &State,
+        tolerance: f64,
+        dense_limit: usize,
+    ) -> Result<Self, AnalysisError> {
+        let mut ws = Workspace::new(system);
+        system.update_markers(&state.q, &state.v, &mut ws);
+        system.evaluate_positions(state.t, &mut ws);
+        Self::of(system, state, ws, tolerance, dense_limit)
+    }
+
+    fn of(
+        system: &System<S>,
+        state: &State,
+        mut ws: Workspace<S>,
+        tolerance: f64,
+        dense_limit: usize,
+    ) -> Result<Self, AnalysisError> {
         if let Some(row) = ws.value.iter().position(|c| !c.is_finite()) {
             return Err(AnalysisError::NotFinite {
                 element: system.row_name(row),

@@ -50,6 +50,11 @@ pub struct MobilityReport {
     pub mobility: Rank,
     /// The machine with its drivers: its freedoms are the motions left over.
     pub driven: Rank,
+    /// Freedoms in positions, where rows hold for velocities only (nonholonomic): those rows take none. Missing where there
+    /// are no such rows: positions and velocities then have the same freedoms.
+    pub position_freedoms: Option<usize>,
+    /// Rows that hold for velocities only.
+    pub velocity_rows: usize,
     /// Rows of drivers.
     pub driver_rows: usize,
     /// Rows of joints and constraints that follow from others at every pose nearby.

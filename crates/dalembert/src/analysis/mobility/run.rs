@@ -66,6 +66,11 @@ impl Mobility {
         let own_driven = with_drivers.as_ref().unwrap_or(&own);
         let mut report = self.counts(system, &undriven, &driven, [&own, own_driven]);
 
+        if report.velocity_rows > 0 {
+            let positions = Ranked::positions(&undriven, state, self.tolerance, self.dense_limit)?;
+            report.position_freedoms = Some(system.nv() - positions.rank);
+        }
+
         // Nearby poses tell repeated rows from singular poses.
         let (mut generic, mut generic_driven) = (None, None);
         let deficient = own.rank < undriven.rows || own_driven.rank < driven.rows;
@@ -148,6 +153,8 @@ impl Mobility {
             auxiliaries: system.aux,
             mobility: Rank::new(columns, undriven.rows, ranked[0].rank, ranked[0].rank),
             driven: Rank::new(columns, driven.rows, ranked[1].rank, ranked[1].rank),
+            position_freedoms: None,
+            velocity_rows: undriven.velocity_rows().len(),
             driver_rows: driven.rows - undriven.rows,
             redundant: Vec::new(),
             singular: Vec::new(),

@@ -59,6 +59,17 @@ impl fmt::Display for MobilityReport {
             m.rank,
             m.count
         )?;
+        if let Some(freedoms) = self.position_freedoms {
+            writeln!(
+                f,
+                "Mobility of positions: {freedoms}; {} velocities only (nonholonomic)",
+                if self.velocity_rows == 1 {
+                    "1 row holds".to_owned()
+                } else {
+                    format!("{} rows hold", self.velocity_rows)
+                }
+            )?;
+        }
         if m.is_singular() {
             writeln!(
                 f,

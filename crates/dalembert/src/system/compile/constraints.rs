@@ -5,11 +5,13 @@ use super::context::{Context, GlobalMeasure};
 use super::geometry::Geometry;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
-use crate::joint::{ExpressionRows, Measure, MeasureRow, MeasureRows, MeasureTerm, TimeFunction};
-use crate::model::ConstraintKind;
-use crate::signal::SignalKind;
+use crate::joint::{
+    ExpressionRows, Measure, MeasureRow, MeasureRows, MeasureTerm, TimeFunction, VelocityRows,
+};
+use crate::model::{ConstraintKind, Value};
+use crate::signal::{Signal, SignalKind};
 use crate::system::Role;
-use dalembert_expr::Quantity;
+use dalembert_expr::{Program, Quantity};
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
@@ -87,6 +89,7 @@ impl<S: Geometry> Context<'_, S> {
                     "sum",
                 ))
             }
+            ConstraintKind::Velocity { expression } => self.velocity_constraint(expression, place),
             ConstraintKind::Expression { expression } => {
                 let mut markers = SmallVec::new();
                 let path = place.key("expression");
@@ -107,7 +110,7 @@ impl<S: Geometry> Context<'_, S> {
                                 place.owner
                             ),
                         )
-                        .help("use positions, angles and t only"),
+                        .help("use positions, angles and t only, or kind = \"velocity\" for a constraint on velocities"),
                     );
                     return None;
                 }
@@ -144,6 +147,80 @@ impl<S: Geometry> Context<'_, S> {
                 })
             }
         }
+    }
+}
+
+/// Do the slopes of a program by its rates stay the same when the rates change?
+fn linear_in_rates<S: Geometry>(program: &Program, inputs: &[Signal<S>]) -> bool {
+    let n = inputs.len();
+    let rates: Vec<bool> = inputs.iter().map(|s| s.kind == SignalKind::Rate).collect();
+    // No special numbers: parts of a golden turn.
+    let number = |k: usize| 0.3 + (0.618_033_988_749_895 * k as f64).fract();
+    (0..3).all(|attempt| {
+        let slopes = |other: usize| {
+            let values: Vec<f64> = (0..n)
+                .map(|k| number(n * attempt + k + if rates[k] { 1 + 31 * other } else { 1 }))
+                .collect();
+            let mut slopes = vec![0.0; n];
+            program.gradient(&values, &mut slopes);
+            slopes
+        };
+        let (first, second) = (slopes(0), slopes(1));
+        let pairs = first.iter().zip(&second).zip(&rates);
+        let mut pairs = pairs.filter(|(_, rate)| **rate);
+        pairs.all(|((a, b), _)| {
+            (a - b).abs() <= 1e-9 * (a.abs() + b.abs()) || a.is_nan() || b.is_nan()
+        })
+    })
+}
+
+impl<S: Geometry> Context<'_, S> {
+    /// A row that is linear in velocities.
+    fn velocity_constraint(&mut self, expression: &Value, place: &Place) -> Option<Built<S>> {
+        let mut markers = SmallVec::new();
+        let path = place.key("expression");
+        let owner = &place.owner;
+        let found = self.state_program(expression, Quantity::Free, owner, &path, &mut markers)?;
+        let (program, inputs) = found;
+        if !inputs.iter().any(|s| s.kind == SignalKind::Rate) {
+            if !self.stand_ins {
+                self.report(
+                    Diagnostic::error(
+                        "empty-constraint",
+                        path,
+                        format!("{owner}: the expression uses no velocity of the machine"),
+                    )
+                    .help(
+                        "use velocities like body.vx or joint.angle_rate, or kind = \"expression\" for positions",
+                    ),
+                );
+            }
+            return None;
+        }
+        if !linear_in_rates(&program, &inputs) {
+            self.report(
+                Diagnostic::error(
+                    "not-linear",
+                    path,
+                    format!("{owner}: the expression is not linear in the velocities"),
+                )
+                .help("write a sum of velocities times functions of positions and t"),
+            );
+            return None;
+        }
+        let count = markers.len();
+        Some(Built {
+            kind: "velocity constraint",
+            element: Arc::new(VelocityRows {
+                program,
+                inputs,
+                markers: count,
+            }),
+            markers,
+            coordinates: SmallVec::new(),
+            auxiliary_start: SmallVec::new(),
+            reaction_marker: count - 1,
+        })
     }
 }
 

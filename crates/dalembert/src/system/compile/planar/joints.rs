@@ -162,6 +162,9 @@ impl Context<'_, Planar> {
             | JointKind::PointOnCurve { .. }
             | JointKind::ParallelAxes { .. }
             | JointKind::PerpendicularAxes { .. }
+            | JointKind::RollingDisc { .. }
+            | JointKind::RollingBall { .. }
+            | JointKind::KnifeEdge { .. }
             | JointKind::GearPair { .. }
             | JointKind::RackPair { .. } => None,
         }

@@ -7,10 +7,13 @@ use super::super::built::Built;
 use super::super::context::{Context, GlobalMeasure};
 use super::super::place::Place;
 use super::ALIKE;
-use super::axes::with_x;
+use super::axes::{with_x, with_z};
 use super::placement::{Points, Zero};
 use crate::diagnostic::Diagnostic;
-use crate::joint::{Measure, MeasureRow, MeasureRows, MeasureTerm, SpatialMeasure, TimeFunction};
+use crate::joint::{
+    KnifeEdge, Measure, MeasureRow, MeasureRows, MeasureTerm, RollingOnPlane, SpatialMeasure,
+    TimeFunction,
+};
 use crate::model::{JointKind, Placement, Point};
 use crate::space::Spatial;
 use crate::space::orientation::Axis;
@@ -106,6 +109,17 @@ fn built(
         }),
         markers: SmallVec::from_slice(&markers),
         coordinates,
+        auxiliary_start: SmallVec::new(),
+        reaction_marker: 1,
+    }
+}
+
+fn rolling(kind: &'static str, wheel: RollingOnPlane, m: [usize; 2]) -> Built<Spatial> {
+    Built {
+        kind,
+        element: Arc::new(wheel),
+        markers: SmallVec::from_slice(&m),
+        coordinates: SmallVec::new(),
         auxiliary_start: SmallVec::new(),
         reaction_marker: 1,
     }
@@ -226,10 +240,66 @@ impl Context<'_, Spatial> {
             } => {
                 let points = self.points(placement, place, false)?;
                 let [a, b] = self.two_axes(placement, second_axis.as_ref(), &points, place)?;
-                let axes = [super::axes::with_z(&a)?, super::axes::with_z(&b)?];
+                let axes = [with_z(&a)?, with_z(&b)?];
                 let m = self.two_frames(&points, axes);
                 let rows = smallvec![row(Dot(Axis::Z, Axis::Z), "angle of the axes")];
                 built("perpendicular-axes", m, rows, &[], SmallVec::new())
+            }
+            JointKind::RollingDisc {
+                placement,
+                second_axis,
+                radius,
+                rounding,
+            } => {
+                let radius = self.positive(radius, Dim::LENGTH, "radius", place, "radius");
+                let rounding = match rounding {
+                    Some(r) => self.positive(r, Dim::LENGTH, "rounding", place, "rounding"),
+                    None => Some(0.0),
+                };
+                let points = self.points(placement, place, true)?;
+                let [a, b] = self.two_axes(placement, second_axis.as_ref(), &points, place)?;
+                let m = self.two_frames(&points, [with_z(&a)?, with_z(&b)?]);
+                let (radius, rounding) = (radius?, rounding?);
+                if rounding >= radius {
+                    self.report(
+                        Diagnostic::error(
+                            "bad-ring",
+                            place.key("rounding"),
+                            format!(
+                                "{}: the rounding is not smaller than the radius of the wheel",
+                                place.owner
+                            ),
+                        )
+                        .help("use kind = \"rolling-ball\" for a ball, or correct the radii"),
+                    );
+                    return None;
+                }
+                self.lies_flat(m, place)?;
+                let wheel = RollingOnPlane {
+                    radius: radius - rounding,
+                    rounding,
+                };
+                rolling("rolling-disc", wheel, m)
+            }
+            JointKind::RollingBall { placement, radius } => {
+                let rounding = self.positive(radius, Dim::LENGTH, "radius", place, "radius");
+                let m = self.sit(placement, place, true, OfBodies)?;
+                let ball = RollingOnPlane {
+                    radius: 0.0,
+                    rounding: rounding?,
+                };
+                rolling("rolling-ball", ball, m)
+            }
+            JointKind::KnifeEdge { placement } => {
+                let m = self.sit(placement, place, true, OfBodies)?;
+                Built {
+                    kind: "knife-edge",
+                    element: Arc::new(KnifeEdge),
+                    markers: SmallVec::from_slice(&m),
+                    coordinates: SmallVec::new(),
+                    auxiliary_start: SmallVec::new(),
+                    reaction_marker: 1,
+                }
             }
             JointKind::GearPair { joints, ratio } => self.gear_pair(joints, ratio, place)?,
             JointKind::RackPair { joints, radius } => self.rack_pair(joints, radius, place)?,
@@ -254,6 +324,26 @@ impl Context<'_, Spatial> {
         let points = self.points(placement, place, true)?;
         let axes = self.directions(placement, &points, place, needed, zero)?;
         Some(self.two_frames(&points, axes))
+    }
+
+    /// Refuses a wheel that lies flat on its plane in the estimate: it then touches everywhere.
+    fn lies_flat(&mut self, m: [usize; 2], place: &Place) -> Option<()> {
+        let [n, a] = m.map(|k| self.pose(k).axes.column(2).into_owned());
+        if self.stand_ins || n.cross(&a).norm() > 1e-9 {
+            return Some(());
+        }
+        self.report(
+            Diagnostic::error(
+                "zero-axis",
+                &place.path,
+                format!(
+                    "{}: the wheel lies flat on its plane in the initial estimate",
+                    place.owner
+                ),
+            )
+            .help("correct its axle, or the estimate of its orientation"),
+        );
+        None
     }
 
     /// Makes the angle of a joint count turns.

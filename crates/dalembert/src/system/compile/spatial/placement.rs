@@ -198,6 +198,10 @@ impl Context<'_, Spatial> {
             points,
             place,
         )?;
+        if z.is_none() && (p.direction.is_some() || p.angles.is_some()) {
+            // Keys of the plane, which have been reported.
+            return None;
+        }
         if z.is_none() && (needed || x.is_some()) {
             self.report(
                 Diagnostic::error(

@@ -106,6 +106,16 @@ pub(super) fn of_joint(kind: &JointKind) -> Option<Kind> {
             "perpendicular-axes",
             "in the plane a constraint of kind `fixed` keeps a `relative-angle`",
         ),
+        JointKind::RollingDisc { .. } => {
+            spatial("rolling-disc", "in the plane write `rolling-on-line`")
+        }
+        JointKind::RollingBall { .. } => {
+            spatial("rolling-ball", "in the plane write `rolling-on-line`")
+        }
+        JointKind::KnifeEdge { .. } => spatial(
+            "knife-edge",
+            "in the plane write a constraint of kind `velocity`",
+        ),
         JointKind::GearPair { .. } => {
             spatial("gear-pair", "in the plane write a `gear` of the two bodies")
         }

@@ -220,7 +220,7 @@ impl Findings {
                     self.quantity(&term.quantity, &inside(&format!("terms[{k}]")));
                 }
             }
-            ConstraintKind::Expression { .. } => {}
+            ConstraintKind::Expression { .. } | ConstraintKind::Velocity { .. } => {}
         }
     }
 
