@@ -146,6 +146,17 @@ impl Program {
         [result.v, result.d, result.dd, result.ddd]
     }
 
+    /// Its value and first three derivatives along a direction in the space of its values.
+    pub fn eval_along(&self, values: &[f64], direction: &[f64]) -> [f64; 4] {
+        let result: Jet3 = self.run(|k| {
+            let value = values.get(k).copied().unwrap_or(f64::NAN);
+            let mut jet = Jet3::constant(value);
+            jet.d = direction.get(k).copied().unwrap_or(0.0);
+            jet
+        });
+        [result.v, result.d, result.dd, result.ddd]
+    }
+
     /// The place in the text of the first part that has no finite value.
     pub fn first_non_finite(&self, values: &[f64]) -> Option<Range<usize>> {
         let mut place = None;

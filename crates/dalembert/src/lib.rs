@@ -17,5 +17,6 @@ pub mod results;
 pub mod signal;
 pub mod solve;
 pub mod space;
+pub mod surface;
 pub mod system;
 pub mod words;

@@ -6,28 +6,36 @@
 //! ([`Cam`], [`RollingOnCircle`]) carry a surface parameter of their own.
 
 mod cam;
+mod contact_force;
 mod expression_rows;
 mod knife_edge;
 mod measure;
 mod measure_rows;
 mod planar_measure;
 mod point_on_curve;
+mod point_on_surface;
 mod rolling;
 mod rolling_on_plane;
 mod spatial_measure;
+mod sphere_contact;
+mod surface_contact;
 mod time_function;
 mod velocity_rows;
 
 pub use cam::{Cam, Follower, Profile};
+pub use contact_force::ContactForce;
 pub use expression_rows::ExpressionRows;
 pub use knife_edge::KnifeEdge;
 pub use measure::{Measure, MeasureKind, Measured};
 pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
 pub use planar_measure::PlanarMeasure;
 pub use point_on_curve::PointOnCurve;
+pub use point_on_surface::PointOnSurface;
 pub use rolling::RollingOnCircle;
 pub use rolling_on_plane::RollingOnPlane;
 pub use spatial_measure::SpatialMeasure;
+pub use sphere_contact::SphereContact;
+pub use surface_contact::SurfaceContact;
 pub use time_function::{RateIntegral, TimeFunction};
 pub use velocity_rows::VelocityRows;
 
@@ -116,6 +124,14 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     /// Measures that are positive where the element is on the side that is meant: its rows may hold on other sides too.
     fn positive(&self) -> &[Measure<S>] {
         &[]
+    }
+    /// The force of a contact whose rows have these multipliers; none for other elements.
+    fn contact(
+        &self,
+        _input: &ConstraintInput<'_, S>,
+        _multipliers: &[f64],
+    ) -> Option<ContactForce> {
+        None
     }
     /// Closed curve that the element gives to the body of its first marker, in the marker's axes, for
     /// the picture [m]; empty for most.

@@ -1,6 +1,6 @@
 //! Joints between two bodies.
 
-use super::{Placement, Point, Value};
+use super::{Placement, Point, Surface, Value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -275,6 +275,30 @@ pub enum JointKind {
         #[serde(flatten)]
         placement: Placement,
     },
+    /// Surfaces of two bodies that touch in a point and slide on each other (spatial). The contact holds both ways: the
+    /// results say where it would have to pull.
+    SurfaceContact {
+        /// The two bodies; `at` is the origin of each surface's frame, default the origin of the body; its axes are those of
+        /// the body, or have their z axis along `axis` or `axes`.
+        #[serde(flatten)]
+        placement: Placement,
+        /// The surface of the first and of the second body.
+        surfaces: [Surface; 2],
+        /// Estimates [a, b] of the parameters of each surface at the start; default where the surfaces come nearest.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        parameters: Option<[[Value; 2]; 2]>,
+    },
+    /// The point of the second body stays on a surface of the first (spatial).
+    PointOnSurface {
+        /// Where: the origin of the surface's frame on the first body, the point on the second.
+        #[serde(flatten)]
+        placement: Placement,
+        /// The surface.
+        surface: Surface,
+        /// Estimate [a, b] of the surface's parameters at the start; default the nearest point.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        parameters: Option<[Value; 2]>,
+    },
     /// Gears on two joints with an angle: the second angle changes by `ratio` times the change of the first; axes in any
     /// directions (spatial).
     GearPair {
@@ -319,7 +343,9 @@ impl JointKind {
             | Self::PerpendicularAxes { placement, .. }
             | Self::RollingDisc { placement, .. }
             | Self::RollingBall { placement, .. }
-            | Self::KnifeEdge { placement } => Some(placement),
+            | Self::KnifeEdge { placement }
+            | Self::SurfaceContact { placement, .. }
+            | Self::PointOnSurface { placement, .. } => Some(placement),
             Self::Gear { .. } | Self::GearPair { .. } | Self::RackPair { .. } => None,
         }
     }

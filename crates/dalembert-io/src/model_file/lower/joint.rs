@@ -1,7 +1,7 @@
 //! Joints.
 
 use super::placement::{self, Needs};
-use super::unknown_kind;
+use super::{surface, unknown_kind};
 use crate::model_file::item::Item;
 use crate::model_file::names::Section;
 use crate::model_file::table_reader::TableReader;
@@ -35,6 +35,8 @@ enum Kind {
     RollingDisc,
     RollingBall,
     KnifeEdge,
+    SurfaceContact,
+    PointOnSurface,
     GearPair,
     RackPair,
 }
@@ -56,7 +58,7 @@ const PLANAR: [(&str, Kind); 6] = [
     ("rolling-on-circle", Kind::RollingOnCircle),
 ];
 
-const SPATIAL: [(&str, Kind); 16] = [
+const SPATIAL: [(&str, Kind); 18] = [
     ("spherical", Kind::Spherical),
     ("cylindrical", Kind::Cylindrical),
     ("universal", Kind::Universal),
@@ -71,6 +73,8 @@ const SPATIAL: [(&str, Kind); 16] = [
     ("rolling-disc", Kind::RollingDisc),
     ("rolling-ball", Kind::RollingBall),
     ("knife-edge", Kind::KnifeEdge),
+    ("surface-contact", Kind::SurfaceContact),
+    ("point-on-surface", Kind::PointOnSurface),
     ("gear-pair", Kind::GearPair),
     ("rack-pair", Kind::RackPair),
 ];
@@ -198,6 +202,22 @@ fn kind(table: &mut TableReader<'_>) -> Option<JointKind> {
         },
         Kind::KnifeEdge => JointKind::KnifeEdge {
             placement: placement::lower(table, "knife-edge", Needs::PointAndAxis),
+        },
+        Kind::SurfaceContact => JointKind::SurfaceContact {
+            placement: placement::lower(table, "surface-contact", Needs::Bodies),
+            surfaces: table
+                .required("surfaces", |item| item.pair(surface::lower))
+                .unwrap_or_default(),
+            parameters: table.optional("parameters", |item| {
+                item.pair(|item| item.pair(Item::value))
+            }),
+        },
+        Kind::PointOnSurface => JointKind::PointOnSurface {
+            placement: placement::lower(table, "point-on-surface", Needs::Point),
+            surface: table
+                .required("surface", surface::lower)
+                .unwrap_or_default(),
+            parameters: table.optional("parameters", |item| item.pair(Item::value)),
         },
         Kind::GearPair => JointKind::GearPair {
             joints: joints(table),

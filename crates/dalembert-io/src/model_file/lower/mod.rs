@@ -17,6 +17,7 @@ mod placement;
 mod quantity;
 mod settings;
 mod shape;
+mod surface;
 mod table;
 mod trace;
 mod unknown_kind;

@@ -22,6 +22,8 @@ pub(super) enum Needs {
     TwoPointsAndAxis,
     /// An axis only.
     Axis,
+    /// The bodies only.
+    Bodies,
 }
 
 /// Reads the place of an element, which is of the given kind.
@@ -65,7 +67,7 @@ fn check_points(table: &TableReader<'_>, kind: &str, needs: Needs) {
                 &format!("the kind `{kind}` needs two points: `at`"),
                 two_points,
             ),
-        (false, false) if needs != Needs::Axis => table.combination(
+        (false, false) if !matches!(needs, Needs::Axis | Needs::Bodies) => table.combination(
             "at",
             &format!("the kind `{kind}` needs a point: `at` or `point`"),
             one_point,
@@ -85,7 +87,7 @@ fn check_axes(table: &TableReader<'_>, kind: &str, needs: Needs) {
     let needed = match needs {
         Needs::PointAndAxis | Needs::TwoPointsAndAxis | Needs::Axis => true,
         Needs::PointAndSpatialAxis => space == Spatial,
-        Needs::Point | Needs::TwoPoints => false,
+        Needs::Point | Needs::TwoPoints | Needs::Bodies => false,
     };
     // Those of the other space are refused by the engine, which says what to write instead.
     let (bodies, ground, help) = match space {

@@ -3,7 +3,7 @@
 use super::energy::driver_power;
 use super::reaction::{acceleration, reaction};
 use super::{LETTERS, Recorder, turns};
-use crate::joint::MeasureKind;
+use crate::joint::{ConstraintInput, MeasureKind};
 use crate::space::{Space, Tuple, spread};
 use crate::system::{Role, System, Workspace};
 
@@ -123,6 +123,20 @@ impl Recorder {
                         moment[k],
                     );
                 }
+            }
+        }
+        let input = ConstraintInput {
+            t,
+            markers: &ws.seen(&e.markers),
+            s: &ws.s[e.aux.clone()],
+            s_rate: &ws.s_rate[e.aux.clone()],
+        };
+        if let Some(contact) = e.element.contact(&input, &ws.lambda[e.rows.clone()]) {
+            let meaning = "force of the contact, positive where the bodies push each other apart";
+            self.put(name, "normal_force", "N", meaning, contact.normal);
+            for (axis, x) in LETTERS[..S::LINEAR].iter().zip(&contact.point) {
+                let meaning = format!("point of contact, ground {axis}");
+                self.put(name, &format!("point_{axis}"), "m", &meaning, *x);
             }
         }
         if e.role == Role::Driver {

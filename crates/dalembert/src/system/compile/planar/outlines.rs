@@ -81,6 +81,8 @@ impl Context<'_, Planar> {
             | JointKind::RollingDisc { .. }
             | JointKind::RollingBall { .. }
             | JointKind::KnifeEdge { .. }
+            | JointKind::SurfaceContact { .. }
+            | JointKind::PointOnSurface { .. }
             | JointKind::GearPair { .. }
             | JointKind::RackPair { .. } => None,
         }

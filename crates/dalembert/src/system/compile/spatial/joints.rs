@@ -301,6 +301,16 @@ impl Context<'_, Spatial> {
                     reaction_marker: 1,
                 }
             }
+            JointKind::SurfaceContact {
+                placement,
+                surfaces,
+                parameters,
+            } => self.surface_contact(placement, surfaces, parameters.as_ref(), place)?,
+            JointKind::PointOnSurface {
+                placement,
+                surface,
+                parameters,
+            } => self.point_on_surface(placement, surface, parameters.as_ref(), place)?,
             JointKind::GearPair { joints, ratio } => self.gear_pair(joints, ratio, place)?,
             JointKind::RackPair { joints, radius } => self.rack_pair(joints, radius, place)?,
             // Refused before.

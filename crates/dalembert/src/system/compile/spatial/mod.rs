@@ -9,6 +9,8 @@ mod orientation;
 mod pairs;
 mod placement;
 mod shapes;
+mod surfaces;
+mod touching;
 
 use super::built::Built;
 use super::context::{Context, GlobalMeasure};

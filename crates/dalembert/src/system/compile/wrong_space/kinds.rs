@@ -112,6 +112,13 @@ pub(super) fn of_joint(kind: &JointKind) -> Option<Kind> {
         JointKind::RollingBall { .. } => {
             spatial("rolling-ball", "in the plane write `rolling-on-line`")
         }
+        JointKind::SurfaceContact { .. } => {
+            spatial("surface-contact", "in the plane write a `cam`")
+        }
+        JointKind::PointOnSurface { .. } => spatial(
+            "point-on-surface",
+            "in the plane write a `cam` with a knife edge",
+        ),
         JointKind::KnifeEdge { .. } => spatial(
             "knife-edge",
             "in the plane write a constraint of kind `velocity`",

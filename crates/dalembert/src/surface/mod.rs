@@ -1,0 +1,9 @@
+//! Surfaces of bodies, by two parameters, with the derivatives that contacts need.
+
+mod field;
+mod partials;
+mod surface;
+
+pub use field::Field;
+pub use partials::Partials;
+pub use surface::{Surface, SurfaceShape};

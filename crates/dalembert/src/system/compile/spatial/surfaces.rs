@@ -1,0 +1,329 @@
+//! Surfaces that touch, and points on surfaces.
+
+use super::super::built::Built;
+use super::super::context::{Context, text_of};
+use super::super::names::ConstantScope;
+use super::super::place::Place;
+use super::placement::Zero;
+use super::touching::{Placed, Touch, is_pole, nearest_pair, nearest_point, touch};
+use crate::diagnostic::Diagnostic;
+use crate::joint::{PointOnSurface, SphereContact, SurfaceContact};
+use crate::model::{self, Placement, SurfaceForm, Value};
+use crate::space::Spatial;
+use crate::surface::{Surface, SurfaceShape};
+use dalembert_expr::{Dim, Program, Quantity, Resolved, Scope, UnknownName};
+use nalgebra::Matrix3;
+use smallvec::{SmallVec, smallvec};
+use std::sync::Arc;
+
+/// The parameters of a surface by their names.
+struct SurfaceScope<'a>(ConstantScope<'a>, &'static [&'static str]);
+
+impl Scope for SurfaceScope<'_> {
+    fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
+        if let [name] = path
+            && let Some(index) = self.1.iter().position(|n| n == name)
+        {
+            return Ok(Resolved::Slot {
+                index,
+                dim: Quantity::Known(Dim::NONE),
+            });
+        }
+        self.0.variable(path).map_err(|mut e| {
+            e.note = Some(format!(
+                "a surface is a function of {} and parameters",
+                self.1.join(", ")
+            ));
+            e
+        })
+    }
+
+    fn function(&self, name: &str) -> Option<Arc<dyn dalembert_expr::Function>> {
+        self.0.function(name)
+    }
+}
+
+impl Context<'_, Spatial> {
+    fn surface_program(
+        &mut self,
+        value: &Value,
+        names: &'static [&'static str],
+        place: &Place,
+        key: &str,
+    ) -> Option<Program> {
+        let constants = ConstantScope {
+            parameters: &self.parameters,
+            functions: &self.functions,
+        };
+        let scope = SurfaceScope(constants, names);
+        let dim = Quantity::Known(Dim::LENGTH);
+        let compiled = dalembert_expr::compile(&text_of(value), &scope, dim);
+        self.accept(compiled, &place.owner, &place.key(key))
+    }
+
+    /// A surface in numbers.
+    fn surface(&mut self, surface: &model::Surface, place: &Place, key: &str) -> Option<Surface> {
+        let mut length = |value: &Value, name: &str| {
+            self.positive(value, Dim::LENGTH, name, place, &format!("{key}.{name}"))
+        };
+        let shape = match &surface.form {
+            SurfaceForm::Plane => SurfaceShape::Plane,
+            SurfaceForm::Sphere { radius } => SurfaceShape::Sphere(length(radius, "radius")?),
+            SurfaceForm::Cylinder { radius } => SurfaceShape::Cylinder(length(radius, "radius")?),
+            SurfaceForm::Cone { radius, height } => {
+                let (r, h) = (length(radius, "radius"), length(height, "height"));
+                SurfaceShape::Cone(r?, h?)
+            }
+            SurfaceForm::Ellipsoid { semi_axes } => {
+                let [a, b, c] =
+                    [0, 1, 2].map(|k| length(&semi_axes[k], &format!("semi_axes[{k}]")));
+                SurfaceShape::Ellipsoid([a?, b?, c?])
+            }
+            SurfaceForm::Torus { radius, tube } => {
+                let (r, t) = (length(radius, "radius"), length(tube, "tube"));
+                SurfaceShape::Torus(r?, t?)
+            }
+            SurfaceForm::Revolved { r, z } => {
+                let [r, z] = [(r, "r"), (z, "z")].map(|(value, name)| {
+                    self.surface_program(value, &["b"], place, &format!("{key}.{name}"))
+                });
+                SurfaceShape::Revolved([r?, z?])
+            }
+            SurfaceForm::Expression { x, y, z } => {
+                let [x, y, z] = [(x, "x"), (y, "y"), (z, "z")].map(|(value, name)| {
+                    self.surface_program(value, &["a", "b"], place, &format!("{key}.{name}"))
+                });
+                let programs = [x?, y?, z?];
+                // A program sees only what it uses, in the order of the names.
+                let uses = programs.each_ref().map(|p| {
+                    let place = |name: usize| p.slots().iter().position(|slot| *slot == name);
+                    [0, 1].map(|name| place(name).unwrap_or(usize::MAX))
+                });
+                SurfaceShape::Expressions(programs, uses)
+            }
+        };
+        Some(Surface {
+            shape,
+            inside: surface.inside,
+        })
+    }
+
+    /// Frames of surfaces: those of the bodies, or with the z axes that are given.
+    fn surface_frames(&mut self, placement: &Placement, place: &Place) -> Option<[usize; 2]> {
+        let points = self.points(placement, place, false)?;
+        let given = placement.axis.is_some() || placement.axes.is_some();
+        let axes = if given || placement.x_axis.is_some() || placement.x_axes.is_some() {
+            self.directions(placement, &points, place, true, Zero::OfBodies)?
+        } else {
+            [Matrix3::identity(); 2]
+        };
+        Some(self.two_frames(&points, axes))
+    }
+
+    pub(super) fn point_on_surface(
+        &mut self,
+        placement: &Placement,
+        surface: &model::Surface,
+        parameters: Option<&[Value; 2]>,
+        place: &Place,
+    ) -> Option<Built<Spatial>> {
+        let surface = self.surface(surface, place, "surface");
+        let given = match parameters {
+            Some(values) => {
+                Some(self.numbers(values, Dim::NONE, place, &place.key("parameters"))?)
+            }
+            None => None,
+        };
+        let m = self.sit(placement, place, false, Zero::OfBodies)?;
+        self.on_surface("point-on-surface", surface?, 0.0, m, false, given, place)
+    }
+
+    /// A point, or a ball about it, on a surface.
+    #[allow(clippy::too_many_arguments)]
+    fn on_surface(
+        &mut self,
+        kind: &'static str,
+        surface: Surface,
+        distance: f64,
+        m: [usize; 2],
+        reversed: bool,
+        given: Option<[f64; 2]>,
+        place: &Place,
+    ) -> Option<Built<Spatial>> {
+        let [base, other] = if reversed { [m[1], m[0]] } else { m };
+        let (marker, point) = (self.pose(base), self.pose(other).point);
+        let placed = Placed {
+            surface: &surface,
+            marker: &marker,
+        };
+        let start = given.or_else(|| nearest_point(placed, distance, &point));
+        let start = self.no_pole(start, &[&surface], place)?;
+        Some(Built {
+            kind,
+            element: Arc::new(PointOnSurface {
+                surface,
+                distance,
+                reversed,
+            }),
+            markers: SmallVec::from_slice(&m),
+            coordinates: SmallVec::new(),
+            auxiliary_start: SmallVec::from_slice(&start),
+            reaction_marker: 1,
+        })
+    }
+
+    /// Refuses a start at a pole of a surface, or none at all.
+    fn no_pole<const N: usize>(
+        &mut self,
+        start: Option<[f64; N]>,
+        surfaces: &[&Surface],
+        place: &Place,
+    ) -> Option<[f64; N]> {
+        let pole = start.is_some_and(|s| {
+            let parts = s.chunks_exact(2).zip(surfaces);
+            parts.into_iter().any(|(s, surface)| is_pole(surface, s))
+        });
+        let (message, help) = match start {
+            Some(start) if !pole => return Some(start),
+            _ if self.stand_ins => return None,
+            Some(_) => (
+                "the contact lies at a pole of the surface's parameters in the initial estimate",
+                "give the surface's frame another z axis (axes), so that its poles lie elsewhere",
+            ),
+            None => (
+                "no point of the surface comes near the other body in the initial estimate",
+                "give parameters = [...] of the contact at the start, or correct the estimates",
+            ),
+        };
+        self.report(
+            Diagnostic::error(
+                "no-contact",
+                &place.path,
+                format!("{}: {message}", place.owner),
+            )
+            .help(help),
+        );
+        None
+    }
+
+    pub(super) fn surface_contact(
+        &mut self,
+        placement: &Placement,
+        surfaces: &[model::Surface; 2],
+        parameters: Option<&[[Value; 2]; 2]>,
+        place: &Place,
+    ) -> Option<Built<Spatial>> {
+        const KIND: &str = "surface-contact";
+        let [one, two] =
+            [0, 1].map(|k| self.surface(&surfaces[k], place, &format!("surfaces[{k}]")));
+        let given = match parameters {
+            Some(values) => {
+                let [s, t] = [0, 1].map(|k| {
+                    let path = place.key(&format!("parameters[{k}]"));
+                    self.numbers(&values[k], Dim::NONE, place, &path)
+                });
+                Some([s?, t?])
+            }
+            None => None,
+        };
+        let m = self.surface_frames(placement, place)?;
+        let surfaces = [one?, two?];
+        // Balls need no parameters of their own, which would have poles where they roll.
+        if let Some(built) = self.spheres(&surfaces, m, place) {
+            return built;
+        }
+        for k in 0..2 {
+            if let Some(radius) = surfaces[k].ball() {
+                let other = surfaces[1 - k].clone();
+                let start = given.map(|all| all[1 - k]);
+                return self.on_surface(KIND, other, radius, m, k == 0, start, place);
+            }
+        }
+        let markers = m.map(|k| self.pose(k));
+        let pair = [0, 1].map(|k| Placed {
+            surface: &surfaces[k],
+            marker: &markers[k],
+        });
+        let start = given
+            .map(|[s, t]| [s[0], s[1], t[0], t[1]])
+            .or_else(|| nearest_pair(pair));
+        let start = self.no_pole(start, &[&surfaces[0], &surfaces[1]], place)?;
+        let held = match touch(pair, &start)? {
+            Touch::Point => None,
+            Touch::Line(k) => {
+                self.report(
+                    Diagnostic::warning(
+                        "line-contact",
+                        &place.path,
+                        format!("{}: the surfaces touch along a line", place.owner),
+                    )
+                    .help(
+                        "the force is given at one point of the line, which stays where it is on the surface; the line holds \
+                         the tilt of the bodies too",
+                    ),
+                );
+                Some((k, start[k]))
+            }
+            Touch::Face => {
+                self.report(
+                    Diagnostic::error(
+                        "face-contact",
+                        &place.path,
+                        format!("{}: the surfaces touch everywhere around", place.owner),
+                    )
+                    .help("use a joint that slides so: kind = \"planar\", \"cylindrical\" or \"spherical\""),
+                );
+                return None;
+            }
+        };
+        Some(Built {
+            kind: KIND,
+            element: Arc::new(SurfaceContact { surfaces, held }),
+            markers: SmallVec::from_slice(&m),
+            coordinates: SmallVec::new(),
+            auxiliary_start: SmallVec::from_slice(&start),
+            reaction_marker: 1,
+        })
+    }
+
+    /// The contact of two spheres; none where one of the surfaces is none.
+    fn spheres(
+        &mut self,
+        surfaces: &[Surface; 2],
+        m: [usize; 2],
+        place: &Place,
+    ) -> Option<Option<Built<Spatial>>> {
+        let radius = |s: &Surface| match s.shape {
+            SurfaceShape::Sphere(radius) => Some(radius),
+            _ => None,
+        };
+        let radii = [radius(&surfaces[0])?, radius(&surfaces[1])?];
+        let hollow = surfaces.each_ref().map(|s| s.inside);
+        let fits = match hollow {
+            [false, false] => true,
+            [true, false] => radii[0] > radii[1],
+            [false, true] => radii[1] > radii[0],
+            [true, true] => false,
+        };
+        if !fits {
+            self.report(
+                Diagnostic::error(
+                    "no-contact",
+                    place.key("surfaces"),
+                    format!("{}: these spheres cannot touch", place.owner),
+                )
+                .help("a hollow sphere (inside = true) must be larger than the ball in it"),
+            );
+            return Some(None);
+        }
+        let inside = hollow != [false, false];
+        Some(Some(Built {
+            kind: "surface-contact",
+            element: Arc::new(SphereContact::new(radii, inside)),
+            markers: SmallVec::from_slice(&m),
+            coordinates: SmallVec::new(),
+            auxiliary_start: smallvec![],
+            reaction_marker: 1,
+        }))
+    }
+}
