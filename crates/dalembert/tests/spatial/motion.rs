@@ -6,7 +6,7 @@ use super::machine::{bodies, evaluated};
 use super::support::Random;
 use super::{SEED, near};
 use dalembert::analysis::Assembly;
-use dalembert::space::{Space, Spatial, Tuple};
+use dalembert::space::{Space, Spatial};
 use dalembert::system::{ElementData, State, System, Workspace};
 use nalgebra::{DMatrix, DVector, Vector3};
 use serde_json::{Value, json};
