@@ -1,7 +1,6 @@
 //! Three bodies in space for the tests of joints: as a model, and once more as the oracle sees them.
 
 use super::oracle::{Marker, Number, Vector, marker};
-use dalembert::analysis::Assembly;
 use dalembert::model::Model;
 use dalembert::space::{Spatial, SpatialFrame, SpatialPose};
 use dalembert::system::compile::{Compiled, compile};
@@ -56,15 +55,6 @@ pub fn system(parts: &Value) -> System<Spatial> {
         model[key] = value.clone();
     }
     compiled(model).system
-}
-
-/// The rows that always hold, and the assembled start.
-pub fn assembled(value: Value) -> (System<Spatial>, State) {
-    let all = compiled(value).system;
-    let (state, _) = Assembly::default()
-        .run(&all)
-        .unwrap_or_else(|e| panic!("{e}"));
-    (all.running(), state)
 }
 
 pub fn evaluated(system: &System<Spatial>, state: &State) -> Workspace<Spatial> {

@@ -189,7 +189,8 @@ fn rates(what: &str, kind: &str, system: &System<Spatial>, state: &State, null: 
             "constant-velocity" => {
                 // Equal angles of both shafts: no relative turn about the bisector of the shafts.
                 let other: Vector3<f64> = b.axes.column(2).into_owned();
-                near(what, &[turning.dot(&(axis + other))], &[0.0], 1e-12);
+                // The assembly stops at 1e-13, and the row is weak where the shafts nearly fold.
+                near(what, &[turning.dot(&(axis + other))], &[0.0], 1e-11);
             }
             _ => assert!(e.coordinates.is_empty()),
         }

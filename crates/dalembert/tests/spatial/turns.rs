@@ -15,8 +15,8 @@ const CENTER: [f64; 3] = [0.1, -0.2, 0.05];
 
 /// A wheel whose centre of mass lies at a place, with its frame elsewhere.
 fn wheel(name: &str, at: [f64; 3]) -> Value {
-    json!({"name": name, "mass": 1.3, "inertia": TENSOR, "center": CENTER,
-           "position": [0, 1, 2].map(|k| at[k] - CENTER[k])})
+    let position = [0, 1, 2].map(|k| at[k] - CENTER[k]);
+    json!({"name": name, "mass": 1.3, "inertia": TENSOR, "center": CENTER, "position": position})
 }
 
 fn hinge(name: &str, body: &str, at: [f64; 3], axis: [f64; 3]) -> Value {
