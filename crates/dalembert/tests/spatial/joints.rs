@@ -1,10 +1,13 @@
 //! Rows of every joint against dual numbers.
 
-use super::check::check;
-use super::machine::{Machine, Spot};
+use super::check::{check, check_at, random_state};
+use super::machine::{Machine, Spot, placed, system};
+use super::motion::CATALOGUE;
 use super::rows::{Both, Curve, Pair, Sum, What};
+use super::{Random, SEED};
 use nalgebra::{Rotation3, Vector3};
 use serde_json::{Value, json};
+use std::f64::consts::{PI, TAU};
 
 const AT: [[f64; 3]; 2] = [[0.31, -0.12, 0.27], [-0.23, 0.19, 0.11]];
 const AXES: [[f64; 3]; 2] = [[0.3, -0.5, 0.8], [1.5, 0.4, -0.6]];
@@ -58,28 +61,47 @@ fn pair(kind: &'static str, bodies: [&'static str; 2]) -> Pair {
 
 #[test]
 fn joints_of_two_frames() {
-    for kind in [
-        "spherical",
-        "revolute",
-        "cylindrical",
-        "prismatic",
-        "weld",
-        "universal",
-        "constant-velocity",
-        "screw",
-        "planar",
-        "distance",
-        "point-on-line",
-        "point-on-plane",
-        "parallel-axes",
-        "perpendicular-axes",
-    ] {
+    for (kind, ..) in CATALOGUE {
         for bodies in BODIES {
             check(
                 &format!("{kind} between {bodies:?}"),
                 &json!({"joint": [joint("J", kind, bodies)]}),
                 &pair(kind, bodies),
             );
+        }
+    }
+}
+
+/// Points together; frames alike, or turned by half a turn about each of their axes, or by a third about the diagonal.
+#[test]
+fn joints_at_degenerate_poses() {
+    let turn = |axis: [f64; 3], angle: f64| {
+        let axis = nalgebra::Unit::new_normalize(Vector3::from(axis));
+        *Rotation3::from_axis_angle(&axis, angle).matrix()
+    };
+    let mut source = Random::new(SEED);
+    for (kind, ..) in CATALOGUE {
+        let bodies = ["ground", "b"];
+        let oracle = pair(kind, bodies);
+        let system = system(&json!({"joint": [joint("J", kind, bodies)]}));
+        for (axis, angle) in [
+            ([0.0, 0.0, 1.0], 0.0),
+            ([0.0, 0.0, 1.0], PI),
+            ([1.0, 0.0, 0.0], PI),
+            ([0.0, 1.0, 0.0], PI),
+            ([1.0, 1.0, 1.0], TAU / 3.0),
+        ] {
+            // The direction of a distance needs two points.
+            let apart = if kind == "distance" { [0.0, 0.0, 0.4] } else { [0.0; 3] };
+            let mut state = random_state(&system, &mut source);
+            state.q[7..14].copy_from_slice(&placed(&oracle.spots, &turn(axis, angle), apart));
+            // Half a turn is as near to zero from both sides.
+            state.q[21..].fill(3.0);
+            // Seen from another body, x may stand along the axis: then the angle says nothing.
+            if kind == "screw" && angle == TAU / 3.0 {
+                continue;
+            }
+            check_at(&format!("{kind} turned about {axis:?} by {angle}"), &system, &state, &oracle);
         }
     }
 }

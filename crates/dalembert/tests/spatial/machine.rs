@@ -5,7 +5,7 @@ use dalembert::model::Model;
 use dalembert::space::{Spatial, SpatialFrame, SpatialPose};
 use dalembert::system::compile::{Compiled, compile};
 use dalembert::system::{State, System, Workspace};
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use serde_json::{Value, json};
 
 /// Name, centre of mass, position and Euler angles zxz of the bodies.
@@ -103,11 +103,23 @@ impl Spot {
         }
     }
 
-    fn axes(&self) -> Matrix3<f64> {
+    /// The frame's axes in the body's frame, as columns.
+    pub fn axes(&self) -> Matrix3<f64> {
         let z = Vector3::from(self.z).normalize();
         let y = z.cross(&Vector3::from(self.x)).normalize();
         Matrix3::from_columns(&[y.cross(&z), y, z])
     }
+}
+
+/// Positions of the second of two frames' body, where that frame stands turned from the first, on the ground, its point
+/// moved along the ground's axes.
+pub fn placed(spots: &[Spot; 2], turn: &Matrix3<f64>, apart: [f64; 3]) -> [f64; 7] {
+    let body = BODIES.iter().find(|b| b.0 == spots[1].body).expect("a body");
+    let axes = spots[0].axes() * turn * spots[1].axes().transpose();
+    let arm = Vector3::from(spots[1].at) - Vector3::from(body.1);
+    let point = Vector3::from(spots[0].at) + Vector3::from(apart) - axes * arm;
+    let q = UnitQuaternion::from_matrix(&axes);
+    [point.x, point.y, point.z, q.w, q.i, q.j, q.k]
 }
 
 /// The bodies and where they move: each with constant velocities, for the time s.
