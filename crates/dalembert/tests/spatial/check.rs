@@ -16,7 +16,9 @@ const EXACT: f64 = 5e-14;
 
 /// A state off the manifold with all velocities non-zero, and angles that remember some turns.
 pub fn random_state(system: &System<Spatial>, source: &mut Random) -> State {
-    let mut q: Vec<f64> = (0..system.nq()).map(|_| source.uniform(-1.0, 1.0)).collect();
+    let mut q: Vec<f64> = (0..system.nq())
+        .map(|_| source.uniform(-1.0, 1.0))
+        .collect();
     for body in q[..7 * system.bodies.len()].chunks_exact_mut(7) {
         let norm = body[3..].iter().map(|b| b * b).sum::<f64>().sqrt();
         body[3..].iter_mut().for_each(|b| *b /= norm);
@@ -31,7 +33,13 @@ pub fn random_state(system: &System<Spatial>, source: &mut Random) -> State {
 }
 
 /// What the oracle sees at a state, moving with some velocities for the time s.
-fn machine<D: Number>(system: &System<Spatial>, state: &State, v: &[f64], t: D, s: D) -> Machine<D> {
+fn machine<D: Number>(
+    system: &System<Spatial>,
+    state: &State,
+    v: &[f64],
+    t: D,
+    s: D,
+) -> Machine<D> {
     let bodies = 7 * system.bodies.len();
     let nv = system.body_nv();
     let auxiliary = state.q[bodies..bodies + system.aux].iter().zip(&v[nv..]);

@@ -92,7 +92,11 @@ fn joints_at_degenerate_poses() {
             ([1.0, 1.0, 1.0], TAU / 3.0),
         ] {
             // The direction of a distance needs two points.
-            let apart = if kind == "distance" { [0.0, 0.0, 0.4] } else { [0.0; 3] };
+            let apart = if kind == "distance" {
+                [0.0, 0.0, 0.4]
+            } else {
+                [0.0; 3]
+            };
             let mut state = random_state(&system, &mut source);
             state.q[7..14].copy_from_slice(&placed(&oracle.spots, &turn(axis, angle), apart));
             // Half a turn is as near to zero from both sides.
@@ -101,7 +105,12 @@ fn joints_at_degenerate_poses() {
             if kind == "screw" && angle == TAU / 3.0 {
                 continue;
             }
-            check_at(&format!("{kind} turned about {axis:?} by {angle}"), &system, &state, &oracle);
+            check_at(
+                &format!("{kind} turned about {axis:?} by {angle}"),
+                &system,
+                &state,
+                &oracle,
+            );
         }
     }
 }
@@ -130,7 +139,8 @@ fn gear_pairs_and_rack_pairs() {
             let first = ["a", "b"];
             let mut mesh = json!({"name": "G", "kind": kind, "joints": ["J", "K"]});
             mesh[key] = json!(-0.6);
-            let parts = json!({"joint": [joint("J", "revolute", first), joint("K", other, second), mesh]});
+            let parts =
+                json!({"joint": [joint("J", "revolute", first), joint("K", other, second), mesh]});
             let moved = if kind == "gear-pair" {
                 What::Angle(spots(second), 1)
             } else {
@@ -171,7 +181,8 @@ fn axes_that_are_not_given_in_frames() {
         ]
     };
     let joint = |kind: &str, more: Value| {
-        let mut joint = json!({"name": "J", "kind": kind, "bodies": ["a", "b"], "point": [0.5, 0.1, 0.7]});
+        let mut joint =
+            json!({"name": "J", "kind": kind, "bodies": ["a", "b"], "point": [0.5, 0.1, 0.7]});
         for (key, value) in more.as_object().unwrap() {
             joint[key] = value.clone();
         }
@@ -206,7 +217,11 @@ fn axes_that_are_not_given_in_frames() {
     spots[1].z = b.tr_mul(&second).into();
     spots[1].x = [0.1, 0.2, 0.9];
     let perpendicular = pair("perpendicular-axes", spots);
-    check("perpendicular", &joint("perpendicular-axes", cross), &perpendicular);
+    check(
+        "perpendicular",
+        &joint("perpendicular-axes", cross),
+        &perpendicular,
+    );
 }
 
 /// A joint between bodies with parallel frames has the angle of its bodies, whatever body axis it stands along.

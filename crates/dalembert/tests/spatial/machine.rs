@@ -11,18 +11,8 @@ use serde_json::{Value, json};
 /// Name, centre of mass, position and Euler angles zxz of the bodies.
 const BODIES: [(&str, [f64; 3], [f64; 3], [f64; 3]); 3] = [
     ("a", [0.13, -0.21, 0.08], [0.2, 0.5, -0.3], [0.3, 0.7, -0.5]),
-    (
-        "b",
-        [-0.17, 0.08, 0.22],
-        [1.1, 0.9, 0.4],
-        [-0.4, 1.1, 0.9],
-    ),
-    (
-        "c",
-        [0.05, 0.11, -0.14],
-        [-0.6, 0.4, 0.8],
-        [1.2, 0.4, 0.3],
-    ),
+    ("b", [-0.17, 0.08, 0.22], [1.1, 0.9, 0.4], [-0.4, 1.1, 0.9]),
+    ("c", [0.05, 0.11, -0.14], [-0.6, 0.4, 0.8], [1.2, 0.4, 0.3]),
 ];
 
 /// The bodies of a model: frames neither central nor principal.
@@ -114,7 +104,10 @@ impl Spot {
 /// Positions of the second of two frames' body, where that frame stands turned from the first, on the ground, its point
 /// moved along the ground's axes.
 pub fn placed(spots: &[Spot; 2], turn: &Matrix3<f64>, apart: [f64; 3]) -> [f64; 7] {
-    let body = BODIES.iter().find(|b| b.0 == spots[1].body).expect("a body");
+    let body = BODIES
+        .iter()
+        .find(|b| b.0 == spots[1].body)
+        .expect("a body");
     let axes = spots[0].axes() * turn * spots[1].axes().transpose();
     let arm = Vector3::from(spots[1].at) - Vector3::from(body.1);
     let point = Vector3::from(spots[0].at) + Vector3::from(apart) - axes * arm;
@@ -172,12 +165,7 @@ impl<D: Number> Machine<D> {
             at: Vector3::from(spot.at) - Vector3::from(BODIES[k].1),
             axes,
         };
-        marker(
-            &self.poses[k],
-            &frame,
-            &self.v[6 * k..6 * k + 6],
-            self.s,
-        )
+        marker(&self.poses[k], &frame, &self.v[6 * k..6 * k + 6], self.s)
     }
 }
 

@@ -52,7 +52,10 @@ pub fn on_manifold(joint: &Value, source: &mut Random) -> (System<Spatial>, Stat
 }
 
 pub fn rank(matrix: &DMatrix<f64>) -> usize {
-    matrix.clone().svd(false, false).rank(1e-9 * matrix.amax().max(1e-9))
+    matrix
+        .clone()
+        .svd(false, false)
+        .rank(1e-9 * matrix.amax().max(1e-9))
 }
 
 /// Columns: a basis of the null space, by complement of the row space.
@@ -68,7 +71,11 @@ fn null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// Gradients of the free coordinates of an element in the velocity coordinates.
-fn gradients(system: &System<Spatial>, ws: &Workspace<Spatial>, e: &ElementData<Spatial>) -> DMatrix<f64> {
+fn gradients(
+    system: &System<Spatial>,
+    ws: &Workspace<Spatial>,
+    e: &ElementData<Spatial>,
+) -> DMatrix<f64> {
     let markers = ws.seen(&e.markers);
     let mut out = DMatrix::zeros(e.coordinates.len(), system.nv());
     for (r, c) in e.coordinates.iter().enumerate() {
@@ -94,7 +101,10 @@ fn coordinates_complete_the_rows() {
                 let what = format!("{kind} between {between:?}, pose {pose}");
                 let (system, state) = on_manifold(&joint("J", kind, between), &mut source);
                 let ws = evaluated(&system, &state);
-                assert!(system.violation(&ws).0 < 1e-12, "{what}: not on the manifold");
+                assert!(
+                    system.violation(&ws).0 < 1e-12,
+                    "{what}: not on the manifold"
+                );
                 let jacobian = system.dense_jacobian(&ws);
                 let e = &system.elements[0];
                 assert_eq!((system.rows, rank(&jacobian)), (rows, rows), "{what}");

@@ -24,7 +24,10 @@ fn spot(body: &'static str, at: [f64; 3]) -> Spot {
 
 /// A cylindrical joint R of a and b and a universal joint U of c and b.
 fn carriers() -> (Value, Both<Pair, Pair>) {
-    let joints = json!([joint("R", "cylindrical", ["a", "b"]), joint("U", "universal", ["c", "b"])]);
+    let joints = json!([
+        joint("R", "cylindrical", ["a", "b"]),
+        joint("U", "universal", ["c", "b"])
+    ]);
     let universal = Pair {
         kind: "universal",
         spots: cross(),
@@ -81,10 +84,10 @@ fn about() -> [Spot; 2] {
 
 /// Every quantity, and whether it is a length. The joint R remembers angle 0, U the angles 1 and 2.
 fn quantities() -> Vec<(Value, What, bool)> {
-    let coordinate = |name: &str| {
-        json!({"kind": "coordinate", "body": "b", "at": POINT, "coordinate": name})
-    };
-    let of_cross = |name: &str| json!({"kind": "joint-coordinate", "joint": "U", "coordinate": name});
+    let coordinate =
+        |name: &str| json!({"kind": "coordinate", "body": "b", "at": POINT, "coordinate": name});
+    let of_cross =
+        |name: &str| json!({"kind": "joint-coordinate", "joint": "U", "coordinate": name});
     vec![
         (coordinate("x"), What::Ground(spot("b", POINT), 0), true),
         (coordinate("y"), What::Ground(spot("b", POINT), 1), true),
@@ -123,7 +126,8 @@ fn quantities() -> Vec<(Value, What, bool)> {
 fn drivers() {
     for (quantity, what, is_length) in quantities() {
         let unit = if is_length { "m" } else { "rad" };
-        let sine = format!("0.2 {unit} + 0.3 {unit} * sin(1.5 rad/s * t) + 0.1 {unit} * (t / 1 s)^3");
+        let sine =
+            format!("0.2 {unit} + 0.3 {unit} * sin(1.5 rad/s * t) + 0.1 {unit} * (t / 1 s)^3");
         let rate = format!("0.4 {unit}/s * cos(1.5 rad/s * t) + 0.2 {unit}/s");
         for (motion, follows) in [
             (json!({"value": sine}), Motion::Sine),

@@ -1,11 +1,11 @@
 //! Ranks of the rows of joints, at random poses and at those where badly chosen rows lose it.
 
+use super::SEED;
 use super::check::random_state;
 use super::joints::joint;
 use super::machine::{compiled, evaluated, system};
 use super::motion::{CATALOGUE, rank};
 use super::support::Random;
-use super::SEED;
 use dalembert::system::State;
 use serde_json::{Value, json};
 
@@ -70,8 +70,16 @@ fn ranks_where_points_and_axes_coincide() {
             let markers = ws.seen(&e.markers);
             if let (true, Some(c)) = (turns, e.coordinates.iter().find(|c| c.name == "angle")) {
                 let m = c.measure.evaluate(&markers);
-                assert!((m.value.abs() - turn.abs()).abs() < 1e-15, "{what}: {}", m.value);
-                assert_eq!(m.second.as_slice(), [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], "{what}");
+                assert!(
+                    (m.value.abs() - turn.abs()).abs() < 1e-15,
+                    "{what}: {}",
+                    m.value
+                );
+                assert_eq!(
+                    m.second.as_slice(),
+                    [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+                    "{what}"
+                );
             }
         }
     }

@@ -100,11 +100,21 @@ fn opposite_axes_are_refused() {
         ("planar", &[[1.0, 0.1, 0.02], [0.2, 1.0, -0.03]]),
         ("parallel-axes", &[[1.0, 0.1, 0.02], [0.2, 1.0, -0.03]]),
         // Turned about any of its axes by half a turn.
-        ("weld", &[[1.0, 0.01, 0.02], [0.02, 1.0, -0.03], [0.02, 0.03, 1.0]]),
-        ("prismatic", &[[1.0, 0.01, 0.02], [0.02, 1.0, -0.03], [0.02, 0.03, 1.0]]),
+        (
+            "weld",
+            &[[1.0, 0.01, 0.02], [0.02, 1.0, -0.03], [0.02, 0.03, 1.0]],
+        ),
+        (
+            "prismatic",
+            &[[1.0, 0.01, 0.02], [0.02, 1.0, -0.03], [0.02, 0.03, 1.0]],
+        ),
     ] {
         for axis in axes {
-            let system = compiled(joint_on_ground(kind, &json!({"axis": axis, "angle": "178 deg"}))).system;
+            let system = compiled(joint_on_ground(
+                kind,
+                &json!({"axis": axis, "angle": "178 deg"}),
+            ))
+            .system;
             match Assembly::default().run(&system) {
                 Err(AnalysisError::WrongSide { elements, .. }) => {
                     assert_eq!(elements, format!("'J' ({kind})"));
@@ -139,7 +149,10 @@ fn axes_exchanged_in_a_circle_are_refused() {
                 // Where the rows brought it back it must stand as meant.
                 Ok((state, _)) => {
                     let axes = pose(&state.q).axes;
-                    assert!((axes - nalgebra::Matrix3::identity()).amax() < 1e-12, "{kind}: {axes}");
+                    assert!(
+                        (axes - nalgebra::Matrix3::identity()).amax() < 1e-12,
+                        "{kind}: {axes}"
+                    );
                 }
             }
         }
@@ -149,12 +162,18 @@ fn axes_exchanged_in_a_circle_are_refused() {
 /// Euler angles whose differences stay constant let two bodies turn against each other (Shabana 7.183); our weld does not.
 #[test]
 fn a_weld_is_rigid_where_differences_of_euler_angles_are_not() {
-    let angles = |x: [f64; 3]| *EulerSequence::ZXZ.rotation(&Vector3::from(x)).to_rotation_matrix().matrix();
+    let angles = |x: [f64; 3]| {
+        *EulerSequence::ZXZ
+            .rotation(&Vector3::from(x))
+            .to_rotation_matrix()
+            .matrix()
+    };
     let (first, apart) = ([0.3, 0.8, -0.4], [0.5, 0.6, 0.2]);
     let moved = [1.1, 1.3, 0.7];
     let second = |x: [f64; 3]| [0, 1, 2].map(|k| x[k] + apart[k]);
     let relative = |x: [f64; 3]| angles(x).transpose() * angles(second(x));
-    let turned = Rotation3::from_matrix_unchecked(relative(first).transpose() * relative(moved)).angle();
+    let turned =
+        Rotation3::from_matrix_unchecked(relative(first).transpose() * relative(moved)).angle();
     assert!(turned > 0.3, "the trap is none: {turned}");
 
     // The same two bodies on a weld: wherever the assembly puts the first, the second keeps its place on it.
@@ -188,7 +207,9 @@ fn a_weld_is_rigid_where_differences_of_euler_angles_are_not() {
             own.iter_mut().zip(apart).for_each(|(x, d)| *x += d);
             Spatial::advance(q, &own);
         }
-        let (state, _) = Assembly::default().run(&other).unwrap_or_else(|e| panic!("{e}"));
+        let (state, _) = Assembly::default()
+            .run(&other)
+            .unwrap_or_else(|e| panic!("{e}"));
         let (t, p) = seen(&state.q);
         near("relative orientation", t.as_slice(), turn.as_slice(), 1e-13);
         near("relative position", p.as_slice(), place.as_slice(), 1e-13);

@@ -10,7 +10,11 @@ use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
 const AXIS: [f64; 3] = [0.4, -0.5, 0.8];
-const TENSOR: [[f64; 3]; 3] = [[0.05, 0.004, -0.006], [0.004, 0.04, 0.005], [-0.006, 0.005, 0.03]];
+const TENSOR: [[f64; 3]; 3] = [
+    [0.05, 0.004, -0.006],
+    [0.004, 0.04, 0.005],
+    [-0.006, 0.005, 0.03],
+];
 const CENTER: [f64; 3] = [0.1, -0.2, 0.05];
 
 /// A wheel whose centre of mass lies at a place, with its frame elsewhere.
@@ -47,7 +51,9 @@ fn kinematics(c: &Compiled<Spatial>) -> Results {
 
 fn values<'a>(results: &'a Results, name: &str) -> &'a [f64] {
     let channel = results.channel(name);
-    &channel.unwrap_or_else(|| panic!("no channel {name}")).values
+    &channel
+        .unwrap_or_else(|| panic!("no channel {name}"))
+        .values
 }
 
 #[track_caller]
@@ -55,17 +61,27 @@ fn follows(results: &Results, name: &str, tolerance: f64, f: impl Fn(usize, f64)
     let times = values(results, "time");
     for (k, (&t, &x)) in times.iter().zip(values(results, name)).enumerate() {
         let expected = f(k, t);
-        assert!((x - expected).abs() <= tolerance, "{name} at t = {t}: {x} for {expected}");
+        assert!(
+            (x - expected).abs() <= tolerance,
+            "{name} at t = {t}: {x} for {expected}"
+        );
     }
 }
 
 /// The balance of energy, relative to what moves.
 #[track_caller]
 fn balanced(results: &Results, tolerance: f64) {
-    let largest = |name: &str| values(results, name).iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let largest = |name: &str| {
+        values(results, name)
+            .iter()
+            .fold(0.0_f64, |m, x| m.max(x.abs()))
+    };
     let scale = largest("energy.kinetic");
     let off = largest("energy.balance");
-    assert!(off <= tolerance * scale, "energy is off by {off:e} of {scale}");
+    assert!(
+        off <= tolerance * scale,
+        "energy is off by {off:e} of {scale}"
+    );
 }
 
 /// Instants that are nearer than half a turn, and farther apart than one.
@@ -82,8 +98,12 @@ fn a_hinge_is_driven_through_many_turns() {
         let turn = |t: f64| sign * 3.7 * TAU * t * t;
         follows(&results, "A.angle", 1e-12, |_, t| turn(t));
         follows(&results, "D.angle", 1e-12, |_, t| turn(t));
-        follows(&results, "A.angle_rate", 1e-11, |_, t| sign * 2.0 * 3.7 * TAU * t);
-        follows(&results, "A.angle_acceleration", 1e-10, |_, _| sign * 2.0 * 3.7 * TAU);
+        follows(&results, "A.angle_rate", 1e-11, |_, t| {
+            sign * 2.0 * 3.7 * TAU * t
+        });
+        follows(&results, "A.angle_acceleration", 1e-10, |_, _| {
+            sign * 2.0 * 3.7 * TAU
+        });
     }
 }
 
@@ -111,7 +131,9 @@ fn torsion_springs_wind_up_over_many_turns() {
         }));
         let results = simulate(&c);
         // Errors of the steps over some hundred radians of motion.
-        follows(&results, "A.angle", 1e-6, |_, t| rate / omega * (omega * t).sin());
+        follows(&results, "A.angle", 1e-6, |_, t| {
+            rate / omega * (omega * t).sin()
+        });
         balanced(&results, 1e-8);
     }
 }
@@ -140,7 +162,9 @@ fn a_screw_turns_many_times() {
         balanced(&results, 1e-9);
         let turns = values(&results, "A.angle").to_vec();
         for (k, name) in ["center.x", "center.y", "center.z"].into_iter().enumerate() {
-            follows(&results, name, 1e-12, |instant, _| at[k] + n[k] * pitch * turns[instant] / TAU);
+            follows(&results, name, 1e-12, |instant, _| {
+                at[k] + n[k] * pitch * turns[instant] / TAU
+            });
         }
     }
 }
@@ -152,7 +176,10 @@ fn gears_turn_many_times() {
     let (p, q) = ([0.3, 0.1, 0.2], [0.8, -0.4, 0.5]);
     let ratio = -0.45;
     for mesh in [
-        ("joint", json!({"name": "G", "kind": "gear-pair", "joints": ["A", "B"], "ratio": ratio})),
+        (
+            "joint",
+            json!({"name": "G", "kind": "gear-pair", "joints": ["A", "B"], "ratio": ratio}),
+        ),
         (
             "constraint",
             json!({"name": "G", "kind": "coupler", "terms": [
@@ -171,7 +198,8 @@ fn gears_turn_many_times() {
             model[place] = json!([mesh]);
         }
         let mut driven = model.clone();
-        driven["driver"] = json!([{"name": "D", "kind": "angle", "joint": "A", "value": "20 rad/s^2 * t^2"}]);
+        driven["driver"] =
+            json!([{"name": "D", "kind": "angle", "joint": "A", "value": "20 rad/s^2 * t^2"}]);
         let results = kinematics(&compiled(driven));
         follows(&results, "A.angle", 1e-12, |_, t| 20.0 * t * t);
         follows(&results, "B.angle", 1e-12, |_, t| ratio * 20.0 * t * t);
@@ -182,7 +210,9 @@ fn gears_turn_many_times() {
         let acceleration = moment / (about(AXIS) + ratio * ratio * about(other));
         assert!(2.0 * acceleration > 3.0 * TAU, "few turns");
         follows(&results, "A.angle", 1e-8, |_, t| 0.5 * acceleration * t * t);
-        follows(&results, "B.angle", 1e-8, |_, t| ratio * 0.5 * acceleration * t * t);
+        follows(&results, "B.angle", 1e-8, |_, t| {
+            ratio * 0.5 * acceleration * t * t
+        });
         balanced(&results, 1e-9);
     }
 }
@@ -200,7 +230,9 @@ fn a_rack_follows_its_pinion_over_many_turns() {
         "analysis": {"end": 2.0, "step": 0.5}
     }));
     let results = kinematics(&c);
-    follows(&results, "B.displacement", 1e-12, |_, t| -0.07 * 20.0 * t * t);
+    follows(&results, "B.displacement", 1e-12, |_, t| {
+        -0.07 * 20.0 * t * t
+    });
 }
 
 /// A driver may start turns away from the estimate: the angle is that of the driver, the pose is not turned round.
@@ -216,7 +248,10 @@ fn a_driver_starts_after_two_turns() {
         }));
         let (_, report) = Assembly::default().run(&c.system).unwrap();
         let turned = report.moved.iter().fold(0.0_f64, |m, b| m.max(b.turn));
-        assert!((turned - 5_f64.to_radians()).abs() < 1e-12, "turned by {turned}");
+        assert!(
+            (turned - 5_f64.to_radians()).abs() < 1e-12,
+            "turned by {turned}"
+        );
         let results = kinematics(&c);
         let angle = |t: f64| (degrees + 90.0 * t).to_radians();
         follows(&results, "A.angle", 1e-12, |_, t| angle(t));
@@ -233,11 +268,15 @@ fn a_driver_starts_after_two_turns() {
         follows(&held, "D.moment", 1e-11, |_, _| moment);
         // So it is where an initial value asks for it.
         model.as_object_mut().unwrap().remove("driver");
-        model["initial"] = json!([{"kind": "angle", "joint": "A", "value": degrees.to_radians(), "rate": 0.0}]);
+        model["initial"] =
+            json!([{"kind": "angle", "joint": "A", "value": degrees.to_radians(), "rate": 0.0}]);
         let free = simulate(&compiled(model));
         let found = values(&free, "A.angle_acceleration")[0];
         let expected = -moment / about(AXIS);
-        assert!((found - expected).abs() < 1e-10 * expected.abs(), "{found} for {expected}");
+        assert!(
+            (found - expected).abs() < 1e-10 * expected.abs(),
+            "{found} for {expected}"
+        );
     }
 }
 
@@ -245,9 +284,7 @@ fn a_driver_starts_after_two_turns() {
 /// springs about the same axis, whichever way they are stated.
 #[test]
 fn turns_at_the_start_are_those_of_the_plane() {
-    let spring = |name: &str, bodies: [&str; 2]| {
-        json!({"name": name, "kind": "torsion-spring", "bodies": bodies, "stiffness": 0.3})
-    };
+    let spring = |name: &str, bodies: [&str; 2]| json!({"name": name, "kind": "torsion-spring", "bodies": bodies, "stiffness": 0.3});
     let model = |start: Value| {
         let mut model = json!({
             "model": {"name": "test"},
@@ -273,7 +310,10 @@ fn turns_at_the_start_are_those_of_the_plane() {
         let plane = model(start);
         let space = super::twins::in_space(&plane);
         let plane = super::support::compiled(plane);
-        let plane = Kinematics::new(&plane.options).run(&plane.system).unwrap().results;
+        let plane = Kinematics::new(&plane.options)
+            .run(&plane.system)
+            .unwrap()
+            .results;
         let space = kinematics(&compiled(space));
         let mut compared = 0;
         for channel in &plane.channels {

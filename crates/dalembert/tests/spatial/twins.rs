@@ -5,8 +5,8 @@ use super::support;
 use dalembert::analysis::{Assembly, Dynamics, Inverse, Mobility, NewtonOptions};
 use dalembert::results::Results;
 use dalembert::space::orientation::OrientationSet;
-use dalembert::system::compile::Compiled;
 use dalembert::space::{Planar, Spatial};
+use dalembert::system::compile::Compiled;
 use nalgebra::{Rotation3, Vector3};
 use serde_json::{Value, json};
 
@@ -24,15 +24,27 @@ pub fn in_space(plane: &Value) -> Value {
     for (k, body) in model["body"].as_array_mut().unwrap().iter_mut().enumerate() {
         let j = body["inertia"].as_f64().unwrap();
         let off = 0.05 * (k + 1) as f64;
-        body["inertia"] = json!([[0.9 * j, 0.02 * j, 0.1 * j], [0.02 * j, 0.8 * j, -0.15 * j],
-                                 [0.1 * j, -0.15 * j, j]]);
+        body["inertia"] = json!([
+            [0.9 * j, 0.02 * j, 0.1 * j],
+            [0.02 * j, 0.8 * j, -0.15 * j],
+            [0.1 * j, -0.15 * j, j]
+        ]);
         let center = body.get("center").cloned().unwrap_or(json!([0, 0]));
         body["center"] = three(&center, off);
         body["position"] = three(&body["position"], 0.0);
-        let angle = body.as_object_mut().unwrap().remove("angle").unwrap_or(json!(0));
+        let angle = body
+            .as_object_mut()
+            .unwrap()
+            .remove("angle")
+            .unwrap_or(json!(0));
         body["orientation"] = json!({"axis": [0, 0, 1], "angle": angle});
     }
-    for (k, joint) in model["joint"].as_array_mut().unwrap().iter_mut().enumerate() {
+    for (k, joint) in model["joint"]
+        .as_array_mut()
+        .unwrap()
+        .iter_mut()
+        .enumerate()
+    {
         let layer = 0.03 * (k as f64 - 1.0);
         let at = joint["at"].clone();
         joint["at"] = json!([three(&at[0], layer), three(&at[1], layer)]);
@@ -102,13 +114,21 @@ fn compare(what: &str, plane: &Results, space: &Results) {
         if of.is_empty() {
             continue;
         }
-        let Some(mut name) = twin(&channel.name) else { continue };
+        let Some(mut name) = twin(&channel.name) else {
+            continue;
+        };
         let owner = name.split('.').next().unwrap().to_owned();
         if of == "moment" && space.channel(&name).is_none() {
             name = format!("{owner}.moment_z");
         }
-        let other = space.channel(&name).unwrap_or_else(|| panic!("{what}: no channel {name}"));
-        let size = if of == "moment" { size("force") + size("moment") } else { size(of) };
+        let other = space
+            .channel(&name)
+            .unwrap_or_else(|| panic!("{what}: no channel {name}"));
+        let size = if of == "moment" {
+            size("force") + size("moment")
+        } else {
+            size(of)
+        };
         assert_eq!(channel.values.len(), other.values.len());
         for (k, (x, y)) in channel.values.iter().zip(&other.values).enumerate() {
             assert!(
@@ -148,7 +168,11 @@ impl Twins {
         let space = Dynamics::new(&self.space.options).run(&self.space.system, &mut |_| true);
         let (plane, space) = (plane.unwrap(), space.unwrap_or_else(|e| panic!("{e}")));
         assert_eq!((plane.stopped, space.stopped.clone()), (None, None));
-        compare(&format!("{}, simulate", self.name), &plane.results, &space.results);
+        compare(
+            &format!("{}, simulate", self.name),
+            &plane.results,
+            &space.results,
+        );
         space.results
     }
 
@@ -160,9 +184,15 @@ impl Twins {
             actuators: Vec::new(),
         };
         let plane = inverse.run(&self.plane.system).unwrap();
-        let space = inverse.run(&self.space.system).unwrap_or_else(|e| panic!("{e}"));
+        let space = inverse
+            .run(&self.space.system)
+            .unwrap_or_else(|e| panic!("{e}"));
         assert_eq!((plane.stopped, space.stopped.clone()), (None, None));
-        compare(&format!("{}, inverse", self.name), &plane.results, &space.results);
+        compare(
+            &format!("{}, inverse", self.name),
+            &plane.results,
+            &space.results,
+        );
         space.results
     }
 
@@ -176,11 +206,19 @@ impl Twins {
             // What holds the machine in its plane is there more than once; nothing in the plane is.
             let across = ["z", "tilt about x", "tilt about y"];
             let of_guide = ["across the axis, y", "turn about z", "turn about x"];
-            let list = if row.kind == "prismatic" { of_guide } else { across };
+            let list = if row.kind == "prismatic" {
+                of_guide
+            } else {
+                across
+            };
             assert!(list.contains(&row.row.as_str()), "{}: {row:?}", self.name);
         }
         assert!(!report.is_singular());
-        (report.freedoms(), report.redundant.len(), report.reactions_not_unique)
+        (
+            report.freedoms(),
+            report.redundant.len(),
+            report.reactions_not_unique,
+        )
     }
 }
 
@@ -222,7 +260,12 @@ fn open(notes: &[String], joints: &[&str]) {
 fn four_bars() {
     let names = ["A", "B", "C", "O"];
     let start = json!({"kind": "angle", "joint": "O", "rate": 9.0});
-    let twins = Twins::new("four-bar", &names, four_bar(), &json!({"analysis": run(), "initial": [start]}));
+    let twins = Twins::new(
+        "four-bar",
+        &names,
+        four_bar(),
+        &json!({"analysis": run(), "initial": [start]}),
+    );
     let (freedoms, redundant, mut not_unique) = twins.mobility();
     not_unique.sort();
     assert_eq!((freedoms, redundant), (1, 3));
@@ -230,7 +273,12 @@ fn four_bars() {
     open(&twins.simulate().notes, &names);
 
     let driver = json!({"name": "motor", "kind": "angle", "joint": "O", "value": "70 deg + 9 rad/s * t + 30 rad/s^2 * t^2"});
-    let driven = Twins::new("four-bar", &names, four_bar(), &json!({"analysis": run(), "driver": [driver]}));
+    let driven = Twins::new(
+        "four-bar",
+        &names,
+        four_bar(),
+        &json!({"analysis": run(), "driver": [driver]}),
+    );
     open(&driven.inverse().notes, &names);
 }
 
@@ -239,7 +287,12 @@ fn slider_cranks() {
     let names = ["A", "B", "O", "guide"];
     let model = || machine("slider-crank");
     let start = json!({"kind": "angle", "joint": "O", "rate": 9.0});
-    let twins = Twins::new("slider-crank", &names, model(), &json!({"analysis": run(), "initial": [start]}));
+    let twins = Twins::new(
+        "slider-crank",
+        &names,
+        model(),
+        &json!({"analysis": run(), "initial": [start]}),
+    );
     let (freedoms, redundant, mut not_unique) = twins.mobility();
     not_unique.sort();
     assert_eq!((freedoms, redundant), (1, 3));
@@ -247,7 +300,12 @@ fn slider_cranks() {
     open(&twins.simulate().notes, &names);
 
     let driver = json!({"name": "motor", "kind": "angle", "joint": "O", "value": "45 deg + 9 rad/s * t + 30 rad/s^2 * t^2"});
-    let driven = Twins::new("slider-crank", &names, model(), &json!({"analysis": run(), "driver": [driver]}));
+    let driven = Twins::new(
+        "slider-crank",
+        &names,
+        model(),
+        &json!({"analysis": run(), "driver": [driver]}),
+    );
     open(&driven.inverse().notes, &names);
 }
 
@@ -256,7 +314,12 @@ fn slider_cranks() {
 fn a_tilted_four_bar() {
     let start = json!({"kind": "angle", "joint": "O", "rate": 9.0});
     let names = ["A", "B", "C", "O"];
-    let twins = Twins::new("four-bar", &names, four_bar(), &json!({"analysis": run(), "initial": [start]}));
+    let twins = Twins::new(
+        "four-bar",
+        &names,
+        four_bar(),
+        &json!({"analysis": run(), "initial": [start]}),
+    );
     let mut model = four_bar();
     model["analysis"] = run();
     model["initial"] = json!([start]);
@@ -270,7 +333,10 @@ fn a_tilted_four_bar() {
     model["model"]["gravity"] = turned(&json!([0, -9.81, 0]));
     for body in model["body"].as_array_mut().unwrap() {
         body["position"] = turned(&body["position"]);
-        let own = Rotation3::from_axis_angle(&Vector3::z_axis(), body["orientation"]["angle"].as_f64().unwrap());
+        let own = Rotation3::from_axis_angle(
+            &Vector3::z_axis(),
+            body["orientation"]["angle"].as_f64().unwrap(),
+        );
         let m = turn * own;
         let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]));
         body["orientation"] = json!({"matrix": rows});
@@ -289,12 +355,21 @@ fn a_tilted_four_bar() {
     let (state, _) = Assembly::default().run(&tilted.system).unwrap();
     let report = Mobility::default().run(&tilted.system, &state).unwrap();
     assert_eq!((report.freedoms(), report.redundant.len()), (1, 3));
-    let run = Dynamics::new(&tilted.options).run(&tilted.system, &mut |_| true).unwrap();
+    let run = Dynamics::new(&tilted.options)
+        .run(&tilted.system, &mut |_| true)
+        .unwrap();
     assert_eq!(run.stopped, None);
     open(&run.results.notes, &names);
     let upright = twins.simulate();
     for name in names {
-        for end in ["angle", "angle_rate", "angle_acceleration", "force_1", "force_2", "moment_3"] {
+        for end in [
+            "angle",
+            "angle_rate",
+            "angle_acceleration",
+            "force_1",
+            "force_2",
+            "moment_3",
+        ] {
             let name = format!("{name}.{end}");
             let [x, y] = [&upright, &run.results].map(|r| r.channel(&name).unwrap().values.clone());
             let size = x.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
@@ -317,7 +392,12 @@ fn double_pendulums() {
     };
     let start = json!([{"kind": "angle", "joint": "O", "value": 0.3, "rate": 2.0},
                        {"kind": "angle", "joint": "A", "value": -0.9, "rate": -5.0}]);
-    let twins = Twins::new("double pendulum", &names, model(), &json!({"analysis": run(), "initial": start}));
+    let twins = Twins::new(
+        "double pendulum",
+        &names,
+        model(),
+        &json!({"analysis": run(), "initial": start}),
+    );
     assert_eq!(twins.mobility(), (2, 0, Vec::new()));
     assert!(twins.simulate().notes.iter().all(|n| !n.contains("unique")));
 
@@ -325,6 +405,11 @@ fn double_pendulums() {
         {"name": "first", "kind": "angle", "joint": "O", "value": "0.3 + 2 rad/s * t + 30 rad/s^2 * t^2"},
         {"name": "second", "kind": "angle", "joint": "A", "value": "-0.9 + 0.5 * sin(20 rad/s * t)"}
     ]);
-    let driven = Twins::new("double pendulum", &names, model(), &json!({"analysis": run(), "driver": drivers}));
+    let driven = Twins::new(
+        "double pendulum",
+        &names,
+        model(),
+        &json!({"analysis": run(), "driver": drivers}),
+    );
     assert!(driven.inverse().notes.iter().all(|n| !n.contains("unique")));
 }
