@@ -8,8 +8,10 @@ use dalembert::system::{State, System, Workspace};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use serde_json::{Value, json};
 
+type Triple = [f64; 3];
+
 /// Name, centre of mass, position and Euler angles zxz of the bodies.
-const BODIES: [(&str, [f64; 3], [f64; 3], [f64; 3]); 3] = [
+const BODIES: [(&str, Triple, Triple, Triple); 3] = [
     ("a", [0.13, -0.21, 0.08], [0.2, 0.5, -0.3], [0.3, 0.7, -0.5]),
     ("b", [-0.17, 0.08, 0.22], [1.1, 0.9, 0.4], [-0.4, 1.1, 0.9]),
     ("c", [0.05, 0.11, -0.14], [-0.6, 0.4, 0.8], [1.2, 0.4, 0.3]),
