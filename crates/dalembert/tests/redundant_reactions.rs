@@ -8,6 +8,7 @@ use dalembert::analysis::{
 use dalembert::formulation::column_scale;
 use dalembert::results::Results;
 use dalembert::solve::analyse_rows;
+use dalembert::space::orientation::OrientationSet;
 use dalembert::system::State;
 use dalembert::system::compile::{Compiled, Options};
 use serde_json::{Value, json};
@@ -234,6 +235,7 @@ fn moving_machine(make: &dyn Fn(&Value) -> Compiled, quantity: &Value, body: usi
     let run = Inverse {
         instants: vec![0.0, 1e-3],
         newton: NewtonOptions::of(&Options::default()),
+        orientation: OrientationSet::default(),
         actuators: Vec::new(),
         ..Inverse::default()
     }

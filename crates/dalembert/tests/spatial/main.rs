@@ -1,10 +1,20 @@
-//! Spatial bodies, markers and measures against dual numbers.
+//! Spatial bodies, markers, measures and the joint catalogue against dual numbers; joints as machines.
 
 mod bodies;
+mod check;
+mod joints;
+mod machine;
 mod measures;
+mod motion;
 mod oracle;
+mod quantities;
+mod ranks;
+mod rows;
 #[path = "../support/mod.rs"]
 mod support;
+mod traps;
+mod turns;
+mod twins;
 
 use support::{Random, near};
 

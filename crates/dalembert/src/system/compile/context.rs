@@ -87,6 +87,8 @@ pub(super) struct Context<'m, S: Space> {
     /// Angles that count turns by memory, and where they start.
     pub turns: Vec<TurnData<S>>,
     pub turn_start: Vec<f64>,
+    /// Those whose start is stated.
+    pub turns_stated: HashSet<usize>,
 }
 
 impl<'m, S: Geometry> Context<'m, S> {
@@ -123,6 +125,7 @@ impl<'m, S: Geometry> Context<'m, S> {
             velocity_weight: Vec::new(),
             turns: Vec::new(),
             turn_start: Vec::new(),
+            turns_stated: HashSet::new(),
         }
     }
 
@@ -358,25 +361,6 @@ impl<'m, S: Geometry> Context<'m, S> {
         pose
     }
 
-    /// Makes an angle count turns, where poses do not: from the estimate on.
-    pub fn count_turns(&mut self, m: GlobalMeasure<S>) {
-        let value = self.estimate(m);
-        self.turns.push(TurnData {
-            kind: m.kind,
-            first: m.first,
-            second: m.second,
-        });
-        self.turn_start.push(value);
-    }
-
-    /// Starts an angle that counts turns by memory on the turn that is nearest to a value.
-    pub fn start_near(&mut self, m: GlobalMeasure<S>, value: f64) {
-        let same = |t: &TurnData<S>| (t.first, t.second, t.kind) == (m.first, m.second, m.kind);
-        if let Some(k) = self.turns.iter().position(same) {
-            self.turn_start[k] = value;
-        }
-    }
-
     pub fn estimate(&self, m: GlobalMeasure<S>) -> f64 {
         m.kind.value(&self.pose(m.first), &self.pose(m.second))
     }
@@ -546,6 +530,7 @@ impl<'m, S: Geometry> Context<'m, S> {
         if self.diagnostics.iter().any(Diagnostic::is_error) {
             return Err(Diagnostics(self.diagnostics));
         }
+        self.wind_alike();
         let mut drawing = self.drawing();
         let outlines = self.outlines();
         let mut system = System::new(
