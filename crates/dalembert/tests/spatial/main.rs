@@ -1,6 +1,7 @@
 //! Spatial bodies, markers and measures against dual numbers.
 
 mod bodies;
+mod joint_equations;
 mod measures;
 mod oracle;
 #[path = "../support/mod.rs"]
