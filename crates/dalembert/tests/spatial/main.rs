@@ -4,6 +4,7 @@ mod bodies;
 mod check;
 mod joints;
 mod machine;
+mod joint_equations;
 mod measures;
 mod motion;
 mod oracle;
