@@ -81,7 +81,7 @@ const WIDTH = 640;
 const MARGIN = 46;
 const SPATIAL_HEIGHT = 420;
 // Only the picture of the page, without what stands around it.
-const BARE = `header, #player, #panel { display: none !important; } main { display: block !important; } #stage { height: 100%; }`;
+const BARE = `header, #player, #panel { display: none !important; } #stage { height: ${SPATIAL_HEIGHT}px !important; }`;
 
 const drawing = await viewer();
 const names = process.argv.slice(2);
