@@ -12,6 +12,11 @@ mod examples {
     mod mobility;
     mod power;
     mod run;
+    mod space;
+    mod space_arms;
+    mod space_linkages;
+    mod space_shafts;
+    mod space_tops;
     mod statics;
     mod straight_lines;
 }
