@@ -1,10 +1,14 @@
 //! Spatial bodies, markers and measures against dual numbers.
 
 mod bodies;
+mod contact_rows;
 mod measures;
 mod oracle;
+mod shapes;
 #[path = "../support/mod.rs"]
 mod support;
+mod surfaces;
+mod velocity_rows;
 
 use support::{Random, near};
 
