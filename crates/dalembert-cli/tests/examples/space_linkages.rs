@@ -18,7 +18,10 @@ fn rssr_four_bar() {
     };
     run.follows("C.angle", 1e-12, rocker);
     run.always("rod", 1e-13, |i| {
-        (length(minus(vector(i, "ball A."), vector(i, "ball B."))), 0.3)
+        (
+            length(minus(vector(i, "ball A."), vector(i, "ball B."))),
+            0.3,
+        )
     });
 }
 
@@ -50,10 +53,22 @@ fn spatial_slider_crank() {
 fn bricard() {
     let run = Run::new("simulate", "bricard", &[]);
     for (t, expected) in [
-        (0.5, [0.9681538711727653, -1.225035436322025, 0.7496440898776529]),
-        (1.0, [0.5086647602300758, -1.6498270632111274, 0.1390353307480732]),
-        (2.0, [-0.969892003789732, -1.2194551409464967, 0.7564645796095799]),
-        (5.0, [0.9999999830907256, -1.000183881295176, 0.9998161017986584]),
+        (
+            0.5,
+            [0.9681538711727653, -1.225035436322025, 0.7496440898776529],
+        ),
+        (
+            1.0,
+            [0.5086647602300758, -1.6498270632111274, 0.1390353307480732],
+        ),
+        (
+            2.0,
+            [-0.969892003789732, -1.2194551409464967, 0.7564645796095799],
+        ),
+        (
+            5.0,
+            [0.9999999830907256, -1.000183881295176, 0.9998161017986584],
+        ),
     ] {
         let found = vector(run.at(t), "corner.");
         for k in 0..3 {
@@ -157,7 +172,10 @@ fn stewart_platform_inverse() {
     run.follows("platform.x", 1e-12, |t| radius * (rate * t).cos());
     for k in 0..6 {
         run.always("length", 1e-12, |i| {
-            (i.get(&format!("leg {}.displacement", k + 1)), length(pose(i)[k]))
+            (
+                i.get(&format!("leg {}.displacement", k + 1)),
+                length(pose(i)[k]),
+            )
         });
     }
     // The legs are the only ones who push. What they do together moves the platform.
@@ -196,7 +214,10 @@ fn bracket_pendulum() {
         let inertia = mass * ((w * w + h * h) / 12.0 + centre[0].powi(2) + centre[1].powi(2));
         (mass, centre, inertia)
     };
-    let parts = [part([0.0, 0.12], [0.0, 0.03]), part([0.0, 0.03], [0.03, 0.08])];
+    let parts = [
+        part([0.0, 0.12], [0.0, 0.03]),
+        part([0.0, 0.03], [0.03, 0.08]),
+    ];
     let inertia: f64 = parts.iter().map(|p| p.2).sum();
     let [mx, mz] = [0, 1].map(|k| parts.iter().map(|p| p.0 * p.1[k]).sum::<f64>());
     // About y a positive angle turns x downwards.
@@ -214,10 +235,7 @@ fn bracket_pendulum() {
     });
     let weight = parts[0].0 + parts[1].0;
     let i = run.instant(0);
-    let a = [
-        i.get("bracket.ax"),
-        i.get("bracket.az"),
-    ];
+    let a = [i.get("bracket.ax"), i.get("bracket.az")];
     assert!(dot([a[0], 0.0, a[1]], [a[0], 0.0, a[1]]) > 0.0);
     close("mass", weight, 7800.0 * 255e-6, 1e-12);
 }

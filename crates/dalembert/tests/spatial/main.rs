@@ -2,20 +2,24 @@
 
 mod bodies;
 mod check;
+mod contact_rows;
+mod joint_equations;
 mod joints;
 mod machine;
-mod joint_equations;
 mod measures;
 mod motion;
 mod oracle;
 mod quantities;
 mod ranks;
 mod rows;
+mod shapes;
 #[path = "../support/mod.rs"]
 mod support;
+mod surfaces;
 mod traps;
 mod turns;
 mod twins;
+mod velocity_rows;
 
 use support::{Random, near};
 
