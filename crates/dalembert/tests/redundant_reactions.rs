@@ -3,12 +3,12 @@
 mod support;
 
 use dalembert::analysis::{
-    Assembly, Dynamics, EquationBasis, Equations, Inverse, Kinematics, NewtonOptions, Statics,
+    Assembly, Dynamics, EquationBasis, Equations, Inverse, Kinematics, NewtonOptions, Recording,
+    Statics,
 };
 use dalembert::formulation::column_scale;
 use dalembert::results::Results;
 use dalembert::solve::analyse_rows;
-use dalembert::space::orientation::OrientationSet;
 use dalembert::system::State;
 use dalembert::system::compile::{Compiled, Options};
 use serde_json::{Value, json};
@@ -235,7 +235,7 @@ fn moving_machine(make: &dyn Fn(&Value) -> Compiled, quantity: &Value, body: usi
     let run = Inverse {
         instants: vec![0.0, 1e-3],
         newton: NewtonOptions::of(&Options::default()),
-        orientation: OrientationSet::default(),
+        recording: Recording::default(),
         actuators: Vec::new(),
         ..Inverse::default()
     }

@@ -73,6 +73,7 @@ fn intermediate_axis_flip() {
 }
 
 /// A top on its point: moments of inertia about the point, weight times height.
+#[derive(Clone, Copy)]
 struct Top {
     i1: f64,
     i3: f64,

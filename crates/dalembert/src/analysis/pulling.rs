@@ -10,8 +10,17 @@ const ROUNDING: f64 = 1e-9;
 /// Watches the contacts of a machine: they hold both ways, real surfaces part where they would have to pull.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pulling {
-    /// For every contact its name, its largest force and the first time and force of a pull.
-    contacts: Vec<(String, f64, Option<(f64, f64)>)>,
+    contacts: Vec<Contact>,
+}
+
+/// What was seen of a contact.
+#[derive(Clone, Debug)]
+struct Contact {
+    name: String,
+    /// Its largest force so far.
+    largest: f64,
+    /// Time and force of the first pull.
+    pull: Option<(f64, f64)>,
 }
 
 impl Pulling {
@@ -29,20 +38,24 @@ impl Pulling {
         });
         for (k, (name, force)) in forces.enumerate() {
             if k == self.contacts.len() {
-                self.contacts.push((name.to_owned(), 0.0, None));
+                self.contacts.push(Contact {
+                    name: name.to_owned(),
+                    largest: 0.0,
+                    pull: None,
+                });
             }
-            let (_, largest, pull) = &mut self.contacts[k];
-            *largest = largest.max(force.abs());
-            if pull.is_none() && force < -ROUNDING * *largest {
-                *pull = Some((t, force));
+            let seen = &mut self.contacts[k];
+            seen.largest = seen.largest.max(force.abs());
+            if seen.pull.is_none() && force < -ROUNDING * seen.largest {
+                seen.pull = Some((t, force));
             }
         }
     }
 
     /// What a user must know.
     pub fn notes(&self) -> Vec<String> {
-        let pulls = self.contacts.iter().filter_map(|(name, _, pull)| {
-            let (t, force) = (*pull)?;
+        let pulls = self.contacts.iter().filter_map(|contact| {
+            let (name, (t, force)) = (&contact.name, contact.pull?);
             Some(format!(
                 "warning: from t = {t:.6} s on the contact '{name}' would have to pull (normal force {force:.3e} N): real \
                  surfaces part there"

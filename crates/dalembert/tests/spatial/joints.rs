@@ -39,7 +39,7 @@ pub fn joint(name: &str, kind: &str, bodies: [&str; 2]) -> Value {
         "point-on-curve" => {
             let [x, y, z] = Curve::TEXT;
             joint["curve"] = json!({"x": x, "y": y, "z": z});
-            joint["s"] = json!(0.3);
+            joint["u"] = json!(0.3);
         }
         _ => {}
     }

@@ -98,7 +98,7 @@ impl Residual for Pair {
 pub struct Curve(pub [Spot; 2]);
 
 impl Curve {
-    pub const TEXT: [&'static str; 3] = ["0.3 m * cos(s)", "(0.2 m) * s^2", "0.1 m * exp(0.5 * s)"];
+    pub const TEXT: [&'static str; 3] = ["0.3 m * cos(u)", "0.2 m * u^2", "0.1 m * exp(0.5 * u)"];
 }
 
 impl Residual for Curve {

@@ -2,9 +2,8 @@
 
 use super::machine::compiled;
 use super::support;
-use dalembert::analysis::{Assembly, Dynamics, Inverse, Mobility, NewtonOptions};
+use dalembert::analysis::{Assembly, Dynamics, Inverse, Mobility, NewtonOptions, Recording};
 use dalembert::results::Results;
-use dalembert::space::orientation::OrientationSet;
 use dalembert::space::{Planar, Spatial};
 use dalembert::system::compile::Compiled;
 use nalgebra::{Rotation3, Vector3};
@@ -180,7 +179,7 @@ impl Twins {
         let inverse = Inverse {
             instants: self.plane.options.instants(),
             newton: NewtonOptions::of(&self.plane.options),
-            orientation: OrientationSet::default(),
+            recording: Recording::default(),
             actuators: Vec::new(),
         };
         let plane = inverse.run(&self.plane.system).unwrap();

@@ -227,8 +227,8 @@ impl Context<'_, Spatial> {
             JointKind::PointOnCurve {
                 placement,
                 curve,
-                s,
-            } => self.point_on_curve(placement, curve, s.as_ref(), place)?,
+                u,
+            } => self.point_on_curve(placement, curve, u.as_ref(), place)?,
             JointKind::ParallelAxes { placement } => {
                 let points = self.points(placement, place, false)?;
                 let axes = self.directions(placement, &points, place, true, OfBodies)?;
