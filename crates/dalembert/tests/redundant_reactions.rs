@@ -237,7 +237,6 @@ fn moving_machine(make: &dyn Fn(&Value) -> Compiled, quantity: &Value, body: usi
         newton: NewtonOptions::of(&Options::default()),
         recording: Recording::default(),
         actuators: Vec::new(),
-        ..Inverse::default()
     }
     .run(&driven.system)
     .unwrap();

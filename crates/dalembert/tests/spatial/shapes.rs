@@ -76,9 +76,9 @@ impl Shape {
             Self::Ellipsoid(half) => SurfaceShape::Ellipsoid(half),
             Self::Torus(r, t) => SurfaceShape::Torus(r, t),
             Self::Revolved => SurfaceShape::Revolved(Box::new([
-                program("0.4 + 0.2*sin(2*b)", &["b"])),
+                program("0.4 + 0.2*sin(2*b)", &["b"]),
                 program("b - 0.3*b^3", &["b"]),
-            ]),
+            ])),
             Self::Field => of(
                 &["a", "b"],
                 ["a + 0.1*b^2", "b", "a^2 + 2*b^2 + 0.1*sin(a*b)"],
