@@ -42,7 +42,11 @@ fn double_universal_joint() {
         TAU * ratio(bend, TAU * t) * bend.cos()
     });
     // Forks a quarter turn apart: the output takes the ratio of both.
-    let wrong = Run::new("kinematics", "double-universal-joint", &["--set", "phase=90 deg"]);
+    let wrong = Run::new(
+        "kinematics",
+        "double-universal-joint",
+        &["--set", "phase=90 deg"],
+    );
     let (low, high) = wrong.range("output bearing.angle_rate");
     close("slowest", low, TAU * bend.cos().powi(2), 1e-11);
     close("fastest", high, TAU / bend.cos().powi(2), 1e-11);
@@ -55,7 +59,10 @@ fn constant_velocity_joint() {
     let swing = |t: f64| 45.0_f64.to_radians() * (TAU * t / 4.0).sin() * TAU / 8.0;
     // The output turns as the input does about its own axis, and with the arm about the upright one.
     for (axis, expected) in [
-        ("x", Box::new(|t: f64| TAU * bend(t).cos()) as Box<dyn Fn(f64) -> f64>),
+        (
+            "x",
+            Box::new(|t: f64| TAU * bend(t).cos()) as Box<dyn Fn(f64) -> f64>,
+        ),
         ("y", Box::new(|t: f64| TAU * bend(t).sin())),
         ("z", Box::new(swing)),
     ] {
