@@ -259,6 +259,17 @@ impl<'m, S: Geometry> Context<'m, S> {
         owner: &str,
         path: &str,
     ) -> Option<Vector3<f64>> {
+        self.components_of(point, Quantity::Known(dim), owner, path)
+    }
+
+    /// As [`Self::vector`], for a quantity that may have any dimension.
+    pub fn components_of(
+        &mut self,
+        point: &Point,
+        quantity: Quantity,
+        owner: &str,
+        path: &str,
+    ) -> Option<Vector3<f64>> {
         if point.len() != S::LINEAR {
             self.report(
                 Diagnostic::error(
@@ -282,7 +293,7 @@ impl<'m, S: Geometry> Context<'m, S> {
         let mut out = Vector3::zeros();
         let mut whole = true;
         for (k, value) in point.iter().enumerate() {
-            match self.number(value, dim, owner, &format!("{path}[{k}]")) {
+            match self.constant(value, quantity, owner, &format!("{path}[{k}]")) {
                 Some(x) => out[k] = x,
                 None => whole = false,
             }
