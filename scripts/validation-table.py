@@ -32,7 +32,7 @@ RUN = re.compile(r'published\(\s*"(\w+)",\s*(?:"([^"]*)"|(\w+)),\s*(?:"((?:[^"\\
 LET = re.compile(r'let (\w+)\s*=\s*"((?:[^"\\]|\\\n)*)";', re.S)
 NEAR = re.compile(r'run\.near\(\s*([^,()]+),\s*"([^"]+)",\s*([^,]+?),\s*([-\d.e]+),?\s*\)', re.S)
 ALL = re.compile(r'run\.all\(\s*([^,()]+),\s*"([^"]+)",\s*&\[(.*?)\],\s*([-\d.e]+),?\s*\)', re.S)
-LOOP = re.compile(r'for \[([^\]]+)\] in (?:super::harness::)?table\("([^"]+)"\)\s*\{\n(.*?)^ +\}$', re.M | re.S)
+LOOP = re.compile(r'for \[([^\]]+)\] in\s+(?:super::harness::)?table\("([^"]+)"\)\s*\{\n(.*?)^ +\}$', re.M | re.S)
 PAIR = re.compile(r'\("([^"]+)",\s*([^,()]+)\)')
 PLAIN = re.compile(r"[\d.e+\-*/ _]+")
 
