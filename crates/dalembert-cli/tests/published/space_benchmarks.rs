@@ -121,7 +121,7 @@ fn top_in_steady_precession() {
         run.near(2.0, "top.y", 0.23168580246869, 1e-13);
         run.near(5.0, "top.x", 0.4275258182180506, 1e-13);
         run.near(5.0, "top.y", 0.06871444358347348, 1e-13);
-        let (radius, rate) = (0.5 * 60_f64.to_radians().sin(), 1.288509641067108311);
+        let (radius, rate) = (0.5 * 60_f64.to_radians().sin(), 1.288_509_641_067_108_3);
         for t in run.channel("time").to_vec() {
             run.near(t, "top.z", 0.25, 1e-13);
             // The joint holds the weight and the centripetal force.
@@ -267,12 +267,12 @@ fn nut_on_a_screw() {
         run.near(1.0, "nut.omega_z", -61.21198550437946, 1e-12);
         run.near(2.0, "nut.omega_z", -122.42397100875893, 1e-11);
         for t in run.channel("time").to_vec() {
-            run.near(t, "nut.az", -0.19484380138982870326, 1e-13);
+            run.near(t, "nut.az", -0.194_843_801_389_828_7, 1e-13);
             // The screw carries the weight but for what the nut falls; its thread turns the nut.
             run.near(
                 t,
                 "thread.force_z",
-                2.0 * (G - 0.19484380138982870326),
+                2.0 * (G - 0.194_843_801_389_828_7),
                 1e-11,
             );
             run.near(
