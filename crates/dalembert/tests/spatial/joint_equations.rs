@@ -160,7 +160,7 @@ fn joints_off_their_constraints() {
     compare(
         "spherical",
         &two,
-        &ball.to_vec(),
+        &ball,
         &[1.169179673865248, -0.5774294195212044, -0.5698769303157573],
         &[
             [
@@ -211,7 +211,7 @@ fn joints_off_their_constraints() {
     compare(
         "cylindrical",
         &two,
-        &sleeve.to_vec(),
+        &sleeve,
         &[
             0.5961721700392016,
             -0.2047383956606541,
