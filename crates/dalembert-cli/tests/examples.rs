@@ -11,6 +11,7 @@ mod examples {
     mod linkages;
     mod mobility;
     mod power;
+    mod rolling;
     mod run;
     mod space;
     mod space_arms;

@@ -70,7 +70,7 @@ impl Context<'_, Spatial> {
                 Ok(sequence.rotation(&Vector3::from(angles?)))
             }
             Orientation::AxisAngle { axis, angle } => {
-                let axis = self.components(axis, place, &format!("{own}.axis"));
+                let axis = self.direction_components(axis, place, &format!("{own}.axis"));
                 let angle = self.number(angle, Dim::NONE, &place.owner, &format!("{own}.angle"));
                 AxisAngle::new(axis?.into(), angle?).map(|a| a.rotation())
             }
@@ -114,7 +114,7 @@ impl Context<'_, Spatial> {
         for ((axis, given), letter) in axes.iter_mut().zip(given).zip(["x", "y", "z"]) {
             if let Some(values) = given {
                 let path = format!("{own}.{letter}");
-                let components = self.components(values, place, &path)?;
+                let components = self.direction_components(values, place, &path)?;
                 *axis = Some(Vector3::from(components));
             }
         }
@@ -165,7 +165,7 @@ impl Context<'_, Spatial> {
     }
 
     /// Components of a direction: of any length, so also of any dimension, like the difference of two points.
-    pub(super) fn components(
+    pub(super) fn direction_components(
         &mut self,
         values: &[Value; 3],
         place: &Place,
