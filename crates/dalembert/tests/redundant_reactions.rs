@@ -3,8 +3,7 @@
 mod support;
 
 use dalembert::analysis::{
-    Assembly, Dynamics, EquationBasis, Equations, Inverse, Kinematics, NewtonOptions, Recording,
-    Statics,
+    Assembly, Dynamics, EquationBasis, Equations, Inverse, Kinematics, NewtonOptions, Statics,
 };
 use dalembert::formulation::column_scale;
 use dalembert::results::Results;

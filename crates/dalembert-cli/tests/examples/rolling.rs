@@ -24,8 +24,7 @@ fn rolling_disc() {
 fn rolling_coin() {
     let run = Run::new("simulate", "rolling-coin", &[]);
     let r = 0.012;
-    for k in 0..run.len() {
-        let i = run.instant(k);
+    for i in run.instants() {
         let [_, _, axle] = axes(i, "coin");
         let tilt = axle[2];
         // From the centre down in the plane of the coin.
@@ -54,8 +53,7 @@ fn rolling_coin() {
 fn ball_in_bowl() {
     let run = Run::new("simulate", "ball-in-bowl", &[]);
     let (l, m) = (0.5 - 0.06, 1.0);
-    for k in 0..run.len() {
-        let i = run.instant(k);
+    for i in run.instants() {
         let [x, y, z] = ["x", "y", "z"].map(|c| i.get(&format!("ball.{c}")));
         close("length", (x * x + y * y + z * z).sqrt(), l, 1e-12);
         let speed2: f64 = ["x", "y", "z"]
@@ -77,8 +75,7 @@ fn ball_in_bowl() {
 fn ellipsoid_on_plane() {
     let run = Run::new("simulate", "ellipsoid-on-plane", &[]);
     let half = [0.3, 0.2, 0.15];
-    for k in 0..run.len() {
-        let i = run.instant(k);
+    for i in run.instants() {
         let up = axes(i, "pebble").map(|axis| axis[2]);
         let height: f64 = (0..3).map(|k| (half[k] * up[k]).powi(2)).sum();
         close("height", i.get("pebble.z"), height.sqrt(), 1e-12);
