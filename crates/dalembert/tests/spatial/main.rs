@@ -2,12 +2,15 @@
 
 mod bodies;
 mod contact_rows;
+mod machine;
 mod measures;
 mod oracle;
+mod rolling;
 mod shapes;
 #[path = "../support/mod.rs"]
 mod support;
 mod surfaces;
+mod touching;
 mod velocity_rows;
 
 use support::{Random, near};
