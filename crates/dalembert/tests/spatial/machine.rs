@@ -44,7 +44,7 @@ pub fn run(system: &System<Spatial>, instants: &[f64], tolerance: f64) -> Dynami
     report
 }
 
-/// Everything evaluated at a state, with accelerations and multipliers.
+/// Everything evaluated at a state of a running system, with accelerations and multipliers.
 pub fn solved(system: &System<Spatial>, state: &State) -> Workspace<Spatial> {
     let mut ws = Workspace::new(system);
     system.update_markers(&state.q, &state.v, &mut ws);
