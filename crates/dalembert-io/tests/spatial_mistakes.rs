@@ -203,7 +203,10 @@ fn words_of_contacts() {
         &[""],
     );
     check(
-        &joint("rolling-ball", "at = [[0, 0, 0], [0, 0, 0]]\naxis = [0, 0, 1]\n"),
+        &joint(
+            "rolling-ball",
+            "at = [[0, 0, 0], [0, 0, 0]]\naxis = [0, 0, 1]\n",
+        ),
         &[""],
     );
     check(&joint("knife-edge", "point = [0, 0, 0]\n"), &[""]);
@@ -217,37 +220,57 @@ fn contacts_that_cannot_be() {
             "[model]\nname = \"m\"\nspace = \"spatial\"\n[[body]]\nname = \"a\"\nmass = 1\ninertia = [1, 1, 1]\nposition = [0, 0, 1]\norientation = {{ axis = [1, 0, 0], angle = 1 }}\n{parts}"
         )
     };
-    let joint = |keys: &str| model(&format!("[[joint]]\nname = \"j\"\nbodies = [\"ground\", \"a\"]\n{keys}"));
+    let joint = |keys: &str| {
+        model(&format!(
+            "[[joint]]\nname = \"j\"\nbodies = [\"ground\", \"a\"]\n{keys}"
+        ))
+    };
     check_all(
-        &joint("kind = \"rolling-disc\"\nat = [[0, 0, 0], [0, 0, 0]]\naxes = [[0, 0, 1], [0, 0, 1]]\nradius = 0.1\nrounding = 0.1\n"),
+        &joint(
+            "kind = \"rolling-disc\"\nat = [[0, 0, 0], [0, 0, 0]]\naxes = [[0, 0, 1], [0, 0, 1]]\nradius = 0.1\nrounding = 0.1\n",
+        ),
         &[""],
     );
     check_all(
-        &joint("kind = \"rolling-disc\"\nat = [[0, 0, 0], [0, 0, 0]]\naxis = [0, 0, 1]\nsecond_axis = [0, 0, 1]\nradius = 0.1\n"),
+        &joint(
+            "kind = \"rolling-disc\"\nat = [[0, 0, 0], [0, 0, 0]]\naxis = [0, 0, 1]\nsecond_axis = [0, 0, 1]\nradius = 0.1\n",
+        ),
         &[""],
     );
     check_all(
-        &joint("kind = \"surface-contact\"\nsurfaces = [{ kind = \"sphere\", radius = 0.1, inside = true }, { kind = \"sphere\", radius = 0.2 }]\n"),
+        &joint(
+            "kind = \"surface-contact\"\nsurfaces = [{ kind = \"sphere\", radius = 0.1, inside = true }, { kind = \"sphere\", radius = 0.2 }]\n",
+        ),
         &[""],
     );
     check_all(
-        &joint("kind = \"surface-contact\"\nsurfaces = [{ kind = \"sphere\", radius = -0.1 }, { kind = \"plane\" }]\n"),
+        &joint(
+            "kind = \"surface-contact\"\nsurfaces = [{ kind = \"sphere\", radius = -0.1 }, { kind = \"plane\" }]\n",
+        ),
         &[""],
     );
     check_all(
-        &joint("kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"plane\" }]\n"),
+        &joint(
+            "kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"plane\" }]\n",
+        ),
         &[""],
     );
     check_all(
-        &joint("kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"ellipsoid\", semi_axes = [1, 1, 1] }]\n"),
+        &joint(
+            "kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"ellipsoid\", semi_axes = [1, 1, 1] }]\n",
+        ),
         &[""],
     );
     check_all(
-        &joint("kind = \"point-on-surface\"\nat = [[0, 0, 0], [0, 0, 0]]\nsurface = { kind = \"expression\", x = \"1 m * a\", y = \"1 m * c\", z = \"2 kg\" }\n"),
+        &joint(
+            "kind = \"point-on-surface\"\nat = [[0, 0, 0], [0, 0, 0]]\nsurface = { kind = \"expression\", x = \"1 m * a\", y = \"1 m * c\", z = \"2 kg\" }\n",
+        ),
         &[""],
     );
     check_all(
-        &model("[[constraint]]\nname = \"c\"\nkind = \"velocity\"\nexpression = \"a.vx^2 - a.vy\"\n"),
+        &model(
+            "[[constraint]]\nname = \"c\"\nkind = \"velocity\"\nexpression = \"a.vx^2 - a.vy\"\n",
+        ),
         &[""],
     );
     check_all(

@@ -37,15 +37,16 @@ fn state(system: &System<Spatial>, frames: &[Frame]) -> State {
         let turn = EulerSequence::ZXZ.rotation(&angles);
         let omegabar = EulerSequence::ZXZ.gbar(&angles) * Vector3::from(frame.rates);
         // From the user's frame to the engine's, at the centre of mass.
-        let own: Rotation =
-            Rotation::from_matrix(&body.frame.axes).inverse();
+        let own: Rotation = Rotation::from_matrix(&body.frame.axes).inverse();
         let center = turn * own;
         let arm = center * body.frame.at;
         let omega = turn * omegabar;
         let r = Vector3::from(frame.at) - arm;
         let v = Vector3::from(frame.velocity) - omega.cross(&arm);
         let spin = center.inverse() * omega;
-        state.q.extend([r.x, r.y, r.z, center.w, center.i, center.j, center.k]);
+        state
+            .q
+            .extend([r.x, r.y, r.z, center.w, center.i, center.j, center.k]);
         state.v.extend([v.x, v.y, v.z, spin.x, spin.y, spin.z]);
     }
     state
@@ -92,13 +93,23 @@ fn example_7_8() {
         ["b.x", "b.y", "b.z", "b.phi", "b.theta", "b.psi"]
     );
     assert_eq!(report.positions.rows, report.velocities.rows);
-    near(&report.positions.values[3..], &[quarter, 2.0 * quarter, 0.0], 1e-15);
+    near(
+        &report.positions.values[3..],
+        &[quarter, 2.0 * quarter, 0.0],
+        1e-15,
+    );
     near(&report.velocities.values[3..], &[20.0, 0.0, -35.0], 1e-15);
-    let m: Vec<f64> = (3..6).flat_map(|i| report.mass.values[i][3..].to_vec()).collect();
+    let m: Vec<f64> = (3..6)
+        .flat_map(|i| report.mass.values[i][3..].to_vec())
+        .collect();
     near(&m, &[0.3, 0.0, 0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 0.3], 1e-15);
     let q_e = [5.0, 0.0, -3.0, -1.237_436_867_076_458_2, -0.45, -0.6];
     near(&report.applied.values, &q_e, 1e-15);
-    near(&report.centrifugal.values, &[0.0, 0.0, 0.0, 0.0, 210.0, 0.0], 1e-14);
+    near(
+        &report.centrifugal.values,
+        &[0.0, 0.0, 0.0, 0.0, 210.0, 0.0],
+        1e-14,
+    );
     let a = [2.5, 0.0, -1.5, -4.124_789_556_921_527, 698.5, -2.0];
     near(&report.accelerations.unwrap().values, &a, 1e-14);
 }
@@ -108,12 +119,28 @@ fn example_7_8() {
 #[test]
 fn a_frame_that_is_not_central() {
     let mass = 3.8;
-    let center = [0.113_572_944_717_562_35, -0.266_219_749_704_809_77, 0.019_464_053_719_233_94];
+    let center = [
+        0.113_572_944_717_562_35,
+        -0.266_219_749_704_809_77,
+        0.019_464_053_719_233_94,
+    ];
     // About the origin of the frame.
     let inertia = [
-        [0.821_146_274_193_654_2, 0.117_734_340_029_528_78, -0.134_972_008_833_640_77],
-        [0.117_734_340_029_528_8, 0.520_247_317_989_226_2, -0.079_640_522_838_354_18],
-        [-0.134_972_008_833_640_8, -0.079_640_522_838_354_18, 0.953_672_082_400_290_1],
+        [
+            0.821_146_274_193_654_2,
+            0.117_734_340_029_528_78,
+            -0.134_972_008_833_640_77,
+        ],
+        [
+            0.117_734_340_029_528_8,
+            0.520_247_317_989_226_2,
+            -0.079_640_522_838_354_18,
+        ],
+        [
+            -0.134_972_008_833_640_8,
+            -0.079_640_522_838_354_18,
+            0.953_672_082_400_290_1,
+        ],
     ];
     let system = system(json!({
         "body": [{"name": "b", "mass": mass, "center": center, "inertia": inertia, "inertia_at": [0, 0, 0]}]
@@ -128,13 +155,38 @@ fn a_frame_that_is_not_central() {
         }],
     );
     let report = written(&system, &state, ZXZ);
-    near(&report.velocities.values, &[0.7, -1.1, 0.4, 1.3, -0.7, 2.1], 1e-15);
+    near(
+        &report.velocities.values,
+        &[0.7, -1.1, 0.4, 1.3, -0.7, 2.1],
+        1e-15,
+    );
     rows(
         &report.mass,
         &[
-            &[mass, 0.0, 0.0, 0.754_652_052_698_632_1, -0.311_121_809_471_054_4, 1.045_527_796_820_182_4],
-            &[0.0, mass, 0.0, 0.085_617_848_494_962_15, 0.735_872_279_124_074_4, 0.296_930_993_617_027_74],
-            &[0.0, 0.0, mass, 0.0, -0.728_421_730_417_861_1, -0.168_427_889_881_554_8],
+            &[
+                mass,
+                0.0,
+                0.0,
+                0.754_652_052_698_632_1,
+                -0.311_121_809_471_054_4,
+                1.045_527_796_820_182_4,
+            ],
+            &[
+                0.0,
+                mass,
+                0.0,
+                0.085_617_848_494_962_15,
+                0.735_872_279_124_074_4,
+                0.296_930_993_617_027_74,
+            ],
+            &[
+                0.0,
+                0.0,
+                mass,
+                0.0,
+                -0.728_421_730_417_861_1,
+                -0.168_427_889_881_554_8,
+            ],
             &[
                 0.754_652_052_698_632_1,
                 0.085_617_848_494_962_15,
@@ -148,7 +200,7 @@ fn a_frame_that_is_not_central() {
                 0.735_872_279_124_074_4,
                 -0.728_421_730_417_861_1,
                 -0.173_622_033_159_290_34,
-                0.834_946_338_006_822_7,
+                0.834_946_337_806_822_7,
                 -0.156_365_627_704_229_54,
             ],
             &[
@@ -174,7 +226,11 @@ fn a_frame_that_is_not_central() {
     // Gbar of the first kind (7.81) in the velocities, and its rate in the accelerations: alphabar of 7.83.
     let kernel = ZXZ.rates(
         &EulerSequence::ZXZ.rotation(&Vector3::new(0.4, 0.9, -0.6)),
-        &Vector3::new(-1.152_724_467_284_412, 0.445_210_144_245_981_5, 2.908_092_958_751_863_6),
+        &Vector3::new(
+            -1.152_724_467_284_412,
+            0.445_210_144_245_981_5,
+            2.908_092_958_751_863_6,
+        ),
     );
     let kernel = kernel.unwrap();
     near(kernel.rates.as_slice(), &[1.3, -0.7, 2.1], 1e-15);
@@ -182,7 +238,11 @@ fn a_frame_that_is_not_central() {
     let alpha = &kernel.gbar * accelerations + kernel.gbar_rate_times;
     near(
         alpha.as_slice(),
-        &[2.383_358_826_055_618_4, 2.251_710_774_404_5, 0.702_022_503_625_677_8],
+        &[
+            2.383_358_826_055_618_4,
+            2.251_710_774_404_5,
+            0.702_022_503_625_677_8,
+        ],
         1e-14,
     );
 }
@@ -213,57 +273,129 @@ fn pair(joint: Value) -> System<Spatial> {
     joint["name"] = json!("J");
     joint["bodies"] = json!(["i", "j"]);
     joint["at"] = json!([[0.1, 0.2, -0.15], [-0.2, 0.05, 0.3]]);
-    let body = |name: &str| {
-        json!({"name": name, "mass": 1, "inertia": [1, 1, 1], "center": [0.03, -0.02, 0.05]})
-    };
+    let body = |name: &str| json!({"name": name, "mass": 1, "inertia": [1, 1, 1], "center": [0.03, -0.02, 0.05]});
     system(json!({"body": [body("i"), body("j")], "joint": [joint]}))
 }
 
-const V_I: [f64; 3] = [0.408_248_290_463_863_1, 0.816_496_580_927_726_1, -0.408_248_290_463_863_1];
+const V_I: [f64; 3] = [
+    0.408_248_290_463_863_1,
+    0.816_496_580_927_726_1,
+    -0.408_248_290_463_863_1,
+];
 const V1_I: [f64; 3] = [0.894_427_190_999_915_9, -0.447_213_595_499_957_9, 0.0];
-const V_J: [f64; 3] = [0.431_934_212_790_68, -0.863_868_425_581_36, 0.259_160_527_674_408];
+const V_J: [f64; 3] = [
+    0.431_934_212_790_68,
+    -0.863_868_425_581_36,
+    0.259_160_527_674_408,
+];
 
 /// Rows 7.165: the points of a spherical joint. The engine's rows are r_j - r_i with a minus, in ground axes: r_i - r_j.
 const SPHERICAL: [[f64; 12]; 3] = [
     [
-        1.0, 0.0, 0.0, -0.246_519_855_126_836_38, -0.003_181_524_603_306_832_7, -0.147_344_653_893_329_87,
-        -1.0, 0.0, 0.0, 0.023_949_274_648_040_742, -0.034_127_012_325_237_73, -0.013_046_239_214_554_518,
+        1.0,
+        0.0,
+        0.0,
+        -0.246_519_855_126_836_38,
+        -0.003_181_524_603_306_832_7,
+        -0.147_344_653_893_329_87,
+        -1.0,
+        0.0,
+        0.0,
+        0.023_949_274_648_040_742,
+        -0.034_127_012_325_237_73,
+        -0.013_046_239_214_554_518,
     ],
     [
-        0.0, 1.0, 0.0, 0.107_987_096_932_694_62, 0.007_525_013_321_647_358, 0.069_618_029_733_385_61,
-        0.0, -1.0, 0.0, 0.361_192_576_932_553_3, -0.017_369_560_800_646_44, 0.095_021_325_419_219_95,
+        0.0,
+        1.0,
+        0.0,
+        0.107_987_096_932_694_62,
+        0.007_525_013_321_647_358,
+        0.069_618_029_733_385_61,
+        0.0,
+        -1.0,
+        0.0,
+        0.361_192_576_932_553_3,
+        -0.017_369_560_800_646_44,
+        0.095_021_325_419_219_95,
     ],
     [
-        0.0, 0.0, 1.0, 0.0, 0.185_007_666_526_317_64, 0.153_110_688_409_060_03,
-        0.0, 0.0, -1.0, 0.0, 0.311_034_184_870_540_6, 0.182_484_912_685_765_17,
+        0.0,
+        0.0,
+        1.0,
+        0.0,
+        0.185_007_666_526_317_64,
+        0.153_110_688_409_060_03,
+        0.0,
+        0.0,
+        -1.0,
+        0.0,
+        0.311_034_184_870_540_6,
+        0.182_484_912_685_765_17,
     ],
 ];
 
 /// The first two rows of 7.169: v1_i.v_j = v2_i.v_j = 0.
 const PARALLEL: [[f64; 12]; 2] = [
     [
-        0.0, 0.0, 0.0, -0.580_243_625_978_464, -0.440_412_570_408_343_75, -0.625_088_916_382_094,
-        0.0, 0.0, 0.0, 0.580_243_625_978_464, 0.367_847_411_287_596_2, -0.310_765_728_658_147_44,
+        0.0,
+        0.0,
+        0.0,
+        -0.580_243_625_978_464,
+        -0.440_412_570_408_343_75,
+        -0.625_088_916_382_094,
+        0.0,
+        0.0,
+        0.0,
+        0.580_243_625_978_464,
+        0.367_847_411_287_596_2,
+        -0.310_765_728_658_147_44,
     ],
     [
-        0.0, 0.0, 0.0, 0.475_804_641_625_019_1, -0.852_772_508_104_868_7, 0.243_386_269_240_635_5,
-        0.0, 0.0, 0.0, -0.475_804_641_625_019_1, 0.127_022_134_339_505_52, -0.914_469_314_536_800_9,
+        0.0,
+        0.0,
+        0.0,
+        0.475_804_641_625_019_1,
+        -0.852_772_508_104_868_7,
+        0.243_386_269_240_635_5,
+        0.0,
+        0.0,
+        0.0,
+        -0.475_804_641_625_019_1,
+        0.127_022_134_339_505_52,
+        -0.914_469_314_536_800_9,
     ],
 ];
 
 /// The last two rows of 7.169: v1_i.r_ij = v2_i.r_ij = 0.
 const ON_AXIS: [[f64; 12]; 2] = [
     [
-        0.658_945_324_453_329_3, -0.311_341_293_886_903_5, -0.684_731_814_728_894_7,
-        -0.212_544_452_150_680_05, -0.497_397_520_259_727_83, 0.006_337_427_705_467_358,
-        -0.658_945_324_453_329_3, 0.311_341_293_886_903_5, 0.684_731_814_728_894_7,
-        -0.096_672_901_691_150_99, -0.230_054_975_524_483_8, -0.163_134_046_158_966_7,
+        0.658_945_324_453_329_3,
+        -0.311_341_293_886_903_5,
+        -0.684_731_814_728_894_7,
+        -0.212_544_452_150_680_05,
+        -0.497_397_520_259_727_83,
+        0.006_337_427_705_467_358,
+        -0.658_945_324_453_329_3,
+        0.311_341_293_886_903_5,
+        0.684_731_814_728_894_7,
+        -0.096_672_901_691_150_99,
+        -0.230_054_975_524_483_8,
+        -0.163_134_046_158_966_7,
     ],
     [
-        -0.559_159_570_931_467_7, 0.406_136_011_986_359, -0.722_768_368_153_693_5,
-        0.029_730_601_736_577_85, -1.179_627_973_956_631, 0.547_222_526_960_121_6,
-        0.559_159_570_931_467_7, -0.406_136_011_986_359, 0.722_768_368_153_693_5,
-        0.133_301_846_618_145_04, -0.212_777_628_823_471_12, -0.086_007_810_873_660_1,
+        -0.559_159_570_931_467_7,
+        0.406_136_011_986_359,
+        -0.722_768_368_153_693_5,
+        0.029_730_601_736_577_85,
+        -1.179_627_973_956_631,
+        0.547_222_526_960_121_6,
+        0.559_159_570_931_467_7,
+        -0.406_136_011_986_359,
+        0.722_768_368_153_693_5,
+        0.133_301_846_618_145_04,
+        -0.212_777_628_823_471_12,
+        -0.086_007_810_873_660_1,
     ],
 ];
 
@@ -271,11 +403,19 @@ const ON_AXIS: [[f64; 12]; 2] = [
 fn a_spherical_joint_in_euler_angles() {
     let system = pair(json!({"kind": "spherical"}));
     let report = written(&system, &unassembled(&system), ZXZ);
-    let c = [1.169_179_673_865_248, -0.577_429_419_521_204_4, -0.569_876_930_315_757_3];
+    let c = [
+        1.169_179_673_865_248,
+        -0.577_429_419_521_204_4,
+        -0.569_876_930_315_757_3,
+    ];
     near(&report.residual.values, &c, 1e-15);
     let expected: Vec<&[f64]> = SPHERICAL.iter().map(|r| &r[..]).collect();
     rows(&report.jacobian, &expected, 1e-15);
-    let q_d = [1.765_137_038_316_294_8, 1.564_437_709_741_379_5, 0.747_024_919_128_512_3];
+    let q_d = [
+        1.765_137_038_316_294_8,
+        1.564_437_709_741_379_5,
+        0.747_024_919_128_512_3,
+    ];
     near(&report.qd.values, &q_d, 1e-14);
 }
 
@@ -296,8 +436,16 @@ fn axes(kind: &str, book: &[[f64; 12]], c: &[f64], q_d: &[f64], map: &[(usize, u
 #[test]
 fn joints_with_axes_in_euler_angles() {
     let (c_s, qd_s) = (
-        [1.169_179_673_865_248, -0.577_429_419_521_204_4, -0.569_876_930_315_757_3],
-        [1.765_137_038_316_294_8, 1.564_437_709_741_379_5, 0.747_024_919_128_512_3],
+        [
+            1.169_179_673_865_248,
+            -0.577_429_419_521_204_4,
+            -0.569_876_930_315_757_3,
+        ],
+        [
+            1.765_137_038_316_294_8,
+            1.564_437_709_741_379_5,
+            0.747_024_919_128_512_3,
+        ],
     );
     let c_p = [0.596_172_170_039_201_6, -0.204_738_395_660_654_1];
     let qd_p = [9.826_119_166_741_414, 1.536_176_350_818_776_7];
@@ -306,14 +454,24 @@ fn joints_with_axes_in_euler_angles() {
     let joined = |a: &[f64], b: &[f64]| [a, b].concat();
     // The engine writes e.f = 0 with a minus; its x axis is v1, its y axis v x v1, which is -v2 or v2.
     let side = Vector3::from(V_I).cross(&Vector3::from(V1_I));
-    let v2 = Vector3::new(-0.182_574_185_835_055_39, -0.365_148_371_670_110_77, -0.912_870_929_175_276_9);
+    let v2 = Vector3::new(
+        -0.182_574_185_835_055_39,
+        -0.365_148_371_670_110_77,
+        -0.912_870_929_175_276_9,
+    );
     let y = side.dot(&v2).signum();
     axes(
         "revolute",
         &[&SPHERICAL[..], &PARALLEL].concat(),
         &joined(&c_s, &c_p),
         &joined(&qd_s, &qd_p),
-        &[(0, 0, 1.0), (1, 1, 1.0), (2, 2, 1.0), (3, 3, -1.0), (4, 4, -y)],
+        &[
+            (0, 0, 1.0),
+            (1, 1, 1.0),
+            (2, 2, 1.0),
+            (3, 3, -1.0),
+            (4, 4, -y),
+        ],
     );
     // On the axis e.(r_j - r_i) with a minus: e.r_ij.
     axes(
@@ -356,16 +514,31 @@ fn example_7_12() {
                 rates: [0.0, 1.2, 0.0],
             },
             Frame {
-                at: [0.439_888_643_064_323_9, 0.769_549_332_215_889_7, -0.124_275_126_291_555_4],
+                at: [
+                    0.439_888_643_064_323_9,
+                    0.769_549_332_215_889_7,
+                    -0.124_275_126_291_555_4,
+                ],
                 angles: [half, 0.4, 0.3 - half],
-                velocity: [0.015_711_272_394_236_517, -0.204_757_945_609_636, -0.426_825_021_639_318_4],
+                velocity: [
+                    0.015_711_272_394_236_517,
+                    -0.204_757_945_609_636,
+                    -0.426_825_021_639_318_4,
+                ],
                 rates: [0.0, 1.2, -0.7],
             },
         ],
     );
     let report = written(&system, &state, ZXZ);
     let a = &report.accelerations.unwrap().values;
-    let first = [-0.083_811_938_590_487_69, 0.0, 0.221_486_307_146_819_38, 0.0, 6.408_224_601_354_751, 0.0];
+    let first = [
+        -0.083_811_938_590_487_69,
+        0.0,
+        0.221_486_307_146_819_38,
+        0.0,
+        6.408_224_601_354_751,
+        0.0,
+    ];
     near(&a[..6], &first, 1e-13);
     let second = [
         -0.382_266_885_373_529,
@@ -379,12 +552,20 @@ fn example_7_12() {
     let lambda = &report.multipliers.unwrap().values;
     near(
         &lambda[..3],
-        &[-1.290_914_967_795_773_2, 58.654_051_722_615_336, -5.066_717_864_431_738],
+        &[
+            -1.290_914_967_795_773_2,
+            58.654_051_722_615_336,
+            -5.066_717_864_431_738,
+        ],
         1e-14,
     );
     near(
         &lambda[5..8],
-        &[-0.955_667_213_433_822_4, 19.414_051_722_615_362, -5.952_663_093_019_016],
+        &[
+            -0.955_667_213_433_822_4,
+            19.414_051_722_615_362,
+            -5.952_663_093_019_016,
+        ],
         1e-14,
     );
 }
@@ -482,7 +663,8 @@ fn every_set_gives_the_same_motion() {
                 // Back to the angular acceleration in body axes.
                 let x = &report.positions.values[n * b + 3..n * (b + 1)];
                 let rotation = set.rotation(x).unwrap();
-                let omegabar = Vector3::from_column_slice(&plain.velocities.values[6 * b + 3..6 * b + 6]);
+                let omegabar =
+                    Vector3::from_column_slice(&plain.velocities.values[6 * b + 3..6 * b + 6]);
                 let rates = set.rates(&rotation, &omegabar).unwrap();
                 let second = DVector::from_column_slice(&a[n * b + 3..n * (b + 1)]);
                 let alpha = rates.gbar * second + rates.gbar_rate_times;
@@ -499,7 +681,11 @@ fn every_set_gives_the_same_motion() {
             let count = |r: &Option<dalembert::analysis::equations::IndependentEquations>| {
                 r.as_ref().unwrap().force.rows.len()
             };
-            assert_eq!(count(&report.independent), count(&plain.independent), "{set}");
+            assert_eq!(
+                count(&report.independent),
+                count(&plain.independent),
+                "{set}"
+            );
         }
     }
 }
@@ -529,12 +715,18 @@ fn singular_poses_and_planar_machines_are_refused() {
         assert_eq!(body, "b");
         written(&system, pose, better.parse().unwrap());
         let text = error.to_string();
-        assert!(text.contains(&format!("singular pose of {set}")) && text.contains("euler-parameters"), "{text}");
+        assert!(
+            text.contains(&format!("singular pose of {set}")) && text.contains("euler-parameters"),
+            "{text}"
+        );
     }
     // Half turns have no Rodriguez parameters.
     let half = at([std::f64::consts::PI, 0.0, 0.0]);
     let error = in_set(OrientationSet::Rodriguez).run(&system, &half);
-    assert!(matches!(error, Err(AnalysisError::SingularOrientation { .. })));
+    assert!(matches!(
+        error,
+        Err(AnalysisError::SingularOrientation { .. })
+    ));
     let planar = compiled(json!({"body": [rod("a", 1.0, 1.0, [0.0, 0.0], 0.0)]})).system;
     let error = in_set(ZXZ).run(&planar, &planar.estimate);
     assert_eq!(error, Err(AnalysisError::PlanarOrientation));
@@ -555,8 +747,13 @@ fn the_text_names_the_set() {
     );
     let text = written(&system, &state, ZXZ).to_text();
     assert!(
-        text.contains("coordinates: origins of the body frames, ground axes; euler-zxz of the body frames"),
+        text.contains(
+            "coordinates: origins of the body frames, ground axes; euler-zxz of the body frames"
+        ),
         "{text}"
     );
-    assert!(text.contains("b.theta") && !text.contains("Euler parameters"), "{text}");
+    assert!(
+        text.contains("b.theta") && !text.contains("Euler parameters"),
+        "{text}"
+    );
 }
