@@ -1,6 +1,7 @@
 //! The command line.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use dalembert::space::orientation::OrientationSet;
 use std::path::PathBuf;
 
 /// Multibody dynamics: describe a machine in a file, get its mobility, motion, forces and equilibrium.
@@ -225,6 +226,15 @@ pub enum EquationsFrame {
     Center,
 }
 
+/// A set of orientation coordinates by its name.
+fn orientation_set(text: &str) -> Result<OrientationSet, String> {
+    text.parse().map_err(|_| {
+        "use euler-parameters, rodriguez, axis-angle, direction-cosines, or Euler angles like euler-zxz or \
+         euler-xyz-space"
+            .to_owned()
+    })
+}
+
 /// Arguments of `equations`.
 #[derive(Args, Debug)]
 pub struct EquationsArgs {
@@ -240,6 +250,10 @@ pub struct EquationsArgs {
     /// Reference points of the bodies
     #[arg(long, value_enum, default_value_t = EquationsFrame::User)]
     pub frame: EquationsFrame,
+    /// Generalized coordinates of the orientations of spatial machines: euler-parameters, rodriguez, axis-angle,
+    /// direction-cosines, or Euler angles like euler-zxz or euler-xyz-space; default turns about the axes of the bodies
+    #[arg(long, value_name = "SET", value_parser = orientation_set)]
+    pub orientation: Option<OrientationSet>,
     /// Time at which drivers and forces are evaluated [s]; default the start of the analysis
     #[arg(long, value_name = "TIME")]
     pub time: Option<String>,

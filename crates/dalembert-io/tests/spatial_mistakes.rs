@@ -179,3 +179,151 @@ fn keys_of_the_other_space_are_found_all_at_once() {
         ],
     );
 }
+
+/// Mistakes in contacts and rolling wheels: what the reader finds by itself.
+#[test]
+fn words_of_contacts() {
+    let joint = |kind: &str, keys: &str| {
+        format!(
+            "{BODY}[[joint]]\nname = \"j\"\nkind = \"{kind}\"\nbodies = [\"ground\", \"a\"]\n{keys}"
+        )
+    };
+    let on = |surface: &str| {
+        let at = "at = [[0, 0, 0], [0, 0, 0]]";
+        joint("point-on-surface", &format!("{at}\nsurface = {surface}\n"))
+    };
+    check(&on("{ kind = \"plane\" }"), &[]);
+    check(
+        &on("{ kind = \"bal\", radius = 1 }"),
+        &[
+            "unknown-kind 11:20 joint \"j\": `surface.kind`: there is no kind `bal` | allowed here: `plane`, `sphere`, `cylinder`, `cone`, `ellipsoid`, `torus`, `revolved`, `expression`",
+        ],
+    );
+    check(
+        &on("{ kind = \"sphere\" }"),
+        &[
+            "missing-key 11:11 joint \"j\": `surface`: the key `radius` is missing | add `radius = ...`",
+        ],
+    );
+    check(
+        &on("{ kind = \"torus\", radius = 1 }"),
+        &["missing-key 11:11 joint \"j\": `surface`: the key `tube` is missing | add `tube = ...`"],
+    );
+    check(
+        &on("{ kind = \"ellipsoid\", semi_axes = [1, 2] }"),
+        &[
+            "wrong-length 11:45 joint \"j\": `surface.semi_axes`: expected 3 entries, found 2 | write the half axes along x, y and z",
+        ],
+    );
+    check(
+        &on("{ kind = \"plane\", insid = true }"),
+        &[
+            "unknown-key 11:29 joint \"j\": `surface`: unknown key `insid` | did you mean `inside`? allowed here: `kind`, `inside`",
+        ],
+    );
+    check(
+        &joint("surface-contact", "surfaces = [{ kind = \"plane\" }]\n"),
+        &[
+            "wrong-length 10:12 joint \"j\": `surfaces`: expected 2 entries, found 1 | write [first, second]",
+        ],
+    );
+    check(
+        &joint(
+            "rolling-ball",
+            "at = [[0, 0, 0], [0, 0, 0]]\naxis = [0, 0, 1]\n",
+        ),
+        &["missing-key 6:1 joint \"j\": the key `radius` is missing | add `radius = ...`"],
+    );
+    check(
+        &joint("knife-edge", "point = [0, 0, 0]\n"),
+        &[
+            "wrong-combination 6:1 joint \"j\": the kind `knife-edge` needs an axis: `axis` or `axes` | `axis = [x, y, z]` is the joint's z axis in ground axes at the initial estimate, `axes = [[x, y, z], [x, y, z]]` the axis in each body's frame",
+        ],
+    );
+}
+
+/// What the engine finds in them.
+#[test]
+fn contacts_that_cannot_be() {
+    let model = |parts: &str| {
+        format!(
+            "[model]\nname = \"m\"\nspace = \"spatial\"\n[[body]]\nname = \"a\"\nmass = 1\ninertia = [1, 1, 1]\nposition = [0, 0, 1]\norientation = {{ axis = [1, 0, 0], angle = 1 }}\n{parts}"
+        )
+    };
+    let joint = |keys: &str| {
+        model(&format!(
+            "[[joint]]\nname = \"j\"\nbodies = [\"ground\", \"a\"]\n{keys}"
+        ))
+    };
+    check_all(
+        &joint(
+            "kind = \"rolling-disc\"\nat = [[0, 0, 0], [0, 0, 0]]\naxes = [[0, 0, 1], [0, 0, 1]]\nradius = 0.1\nrounding = 0.1\n",
+        ),
+        &[
+            "bad-ring 17:12 joint 'j': the rounding is not smaller than the radius of the wheel | use kind = \"rolling-ball\" for a ball, or correct the radii",
+        ],
+    );
+    check_all(
+        &joint(
+            "kind = \"rolling-disc\"\nat = [[0, 0, 0], [0, 0, 0]]\naxis = [0, 0, 1]\nsecond_axis = [0, 0, 1]\nradius = 0.1\n",
+        ),
+        &[
+            "zero-axis 10:1 joint 'j': the wheel lies flat on its plane in the initial estimate | correct its axle, or the estimate of its orientation",
+        ],
+    );
+    check_all(
+        &joint(
+            "kind = \"surface-contact\"\nsurfaces = [{ kind = \"sphere\", radius = 0.1, inside = true }, { kind = \"sphere\", radius = 0.2 }]\n",
+        ),
+        &[
+            "no-contact 14:12 joint 'j': these spheres cannot touch | a hollow sphere (inside = true) must be larger than the ball in it",
+        ],
+    );
+    check_all(
+        &joint(
+            "kind = \"surface-contact\"\nsurfaces = [{ kind = \"sphere\", radius = -0.1 }, { kind = \"plane\" }]\n",
+        ),
+        &[
+            "not-positive 14:41 joint 'j': radius is -0.1, it must be positive | give a positive radius",
+        ],
+    );
+    check_all(
+        &joint(
+            "kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"plane\" }]\n",
+        ),
+        &[
+            "face-contact 10:1 joint 'j': the surfaces touch everywhere around | use a joint that slides so: kind = \"planar\", \"cylindrical\" or \"spherical\"",
+        ],
+    );
+    check_all(
+        &joint(
+            "kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"ellipsoid\", semi_axes = [1, 1, 1] }]\n",
+        ),
+        &[
+            "no-contact 10:1 joint 'j': the contact lies at a pole of the surface's parameters in the initial estimate | give the surface's frame another z axis (axes), so that its poles lie elsewhere",
+        ],
+    );
+    check_all(
+        &joint(
+            "kind = \"point-on-surface\"\nat = [[0, 0, 0], [0, 0, 0]]\nsurface = { kind = \"expression\", x = \"1 m * a\", y = \"1 m * c\", z = \"2 kg\" }\n",
+        ),
+        &[
+            "unknown-name 15:60 joint 'j': `c` is not known here | a surface is a function of a, b and parameters",
+            "unit-mismatch 15:69 joint 'j': this must be a length (m), but it is a mass (kg) | check the terms; a number without a unit takes any dimension, in SI",
+        ],
+    );
+    check_all(
+        &model(
+            "[[constraint]]\nname = \"c\"\nkind = \"velocity\"\nexpression = \"a.vx^2 - 1 m/s * a.vy\"\n",
+        ),
+        &[
+            "not-linear 13:14 constraint 'c': the expression is not linear in the velocities | write a sum of velocities times functions of positions and t",
+        ],
+    );
+    check_all(
+        &model("[[constraint]]\nname = \"c\"\nkind = \"velocity\"\nexpression = \"a.x - a.y\"\n"),
+        &[
+            "empty-constraint 13:14 constraint 'c': the expression uses no velocity of the machine | use velocities like body.vx or joint.angle_rate, or kind = \"expression\" for positions",
+        ],
+    );
+}

@@ -34,6 +34,7 @@ fn equations<S: ModelSpace>(args: &EquationsArgs, mut loaded: Loaded<S>) -> Resu
             EquationsFrame::User => ReferenceFrame::User,
             EquationsFrame::Center => ReferenceFrame::Center,
         },
+        orientation: args.orientation,
     };
     let report = analysis.run(&system.running(), &state)?;
     let text = if args.model.json {

@@ -47,6 +47,24 @@ pub enum AnalysisError {
         /// The elements, in words.
         elements: String,
     },
+    /// Orientation coordinates in the plane.
+    #[error(
+        "a planar machine has no orientation coordinates: its bodies have angles already; leave the set out"
+    )]
+    PlanarOrientation,
+    /// Orientation coordinates whose rates are not determined at a pose.
+    #[error(
+        "body '{body}' stands at a singular pose of {set}: their rates are not determined there; use another set, \
+         euler-parameters or {better}"
+    )]
+    SingularOrientation {
+        /// Body.
+        body: String,
+        /// The set.
+        set: String,
+        /// A set that is regular at this pose.
+        better: String,
+    },
     /// The machine can still move although its motion should be given by drivers.
     #[error(
         "the machine is not driven in every freedom: {} free ({}{names}); add drivers or use simulate",

@@ -5,6 +5,7 @@ mod chapter_3;
 mod chapter_4;
 mod chapter_5;
 mod chapter_6;
+mod chapter_7;
 #[path = "../support/mod.rs"]
 mod support;
 

@@ -8,14 +8,17 @@ mod joints;
 mod machine;
 mod measures;
 mod motion;
+mod moving_machine;
 mod oracle;
 mod quantities;
 mod ranks;
+mod rolling;
 mod rows;
 mod shapes;
 #[path = "../support/mod.rs"]
 mod support;
 mod surfaces;
+mod touching;
 mod traps;
 mod turns;
 mod twins;

@@ -2,10 +2,13 @@
 
 use super::ReferenceFrame;
 use super::body_frame::BodyFrame;
+use super::in_set::InSet;
+use crate::analysis::AnalysisError;
 use crate::formulation::Terms;
+use crate::space::orientation::OrientationSet;
 use crate::space::{Space, Tuple};
 use crate::system::{State, System, Workspace};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// The equations in coordinates (of the reference frames of the bodies, then auxiliaries).
 #[derive(Clone, Debug)]
@@ -22,6 +25,8 @@ pub(super) struct CoordinateTerms {
     frames: Vec<Option<BodyFrame>>,
     /// Velocities of the centres of mass.
     central: Vec<f64>,
+    /// The coordinates of the orientations, where they are not turns about the axes of the frames.
+    pub in_set: Option<InSet>,
 }
 
 impl CoordinateTerms {
@@ -84,13 +89,56 @@ impl CoordinateTerms {
             terms,
             frames,
             central: state.v.clone(),
+            in_set: None,
         }
+    }
+
+    /// The same equations in the origins of the frames and the coordinates of a set of orientations: with u = W x' and
+    /// u' = W x'' + w, M = W^T M_u W (Shabana 7.85), Q_v = W^T (Q_vu - M_u w) (7.104, 7.105), C_q = C_u W and
+    /// Q_d = Q_du - C_u w; conditions among the coordinates are further rows (8.16).
+    ///
+    /// # Errors
+    /// The machine is planar, or a body stands at a singular pose of the set.
+    pub fn in_set<S: Space>(
+        mut self,
+        system: &System<S>,
+        ws: &Workspace<S>,
+        frame: ReferenceFrame,
+        set: OrientationSet,
+    ) -> Result<Self, AnalysisError> {
+        let marker = |b: usize| match frame {
+            ReferenceFrame::User => system.bodies[b].frame_marker,
+            ReferenceFrame::Center => system.bodies[b].center_marker,
+        };
+        let x = InSet::new(system, ws, set, marker, &self)?;
+        let w = &x.transform;
+        let terms = &mut self.terms;
+        self.inertial = w.tr_mul(&(&self.inertial - &terms.mass * &x.bias));
+        self.applied = w.tr_mul(&self.applied);
+        terms.mass = w.tr_mul(&(&terms.mass * w));
+        let (rows, extra) = (terms.jacobian.nrows(), x.rows.len());
+        let qd = &terms.qd - &terms.jacobian * &x.bias;
+        let jacobian = &terms.jacobian * w;
+        terms.jacobian = DMatrix::zeros(rows + extra, w.ncols());
+        terms.jacobian.rows_mut(0, rows).copy_from(&jacobian);
+        terms.jacobian.rows_mut(rows, extra).copy_from(&x.jacobian);
+        terms.qd = DVector::zeros(rows + extra);
+        terms.qd.rows_mut(0, rows).copy_from(&qd);
+        terms.qd.rows_mut(rows, extra).copy_from(&x.qd);
+        terms.force = &self.applied + &self.inertial;
+        terms.column_scale.clone_from(&x.scale);
+        self.positions.clone_from(&x.positions);
+        self.velocities.clone_from(&x.rates);
+        self.in_set = Some(x);
+        Ok(self)
     }
 
     /// Half the integral of |acceleration|^2 dm (Shabana 5.164), with alpha and omega in body axes:
     /// m |a_c|^2 / 2 + alpha . J alpha / 2 + alpha . (omega x J omega) + omega^2 (omega . J omega) / 2 for each body.
     pub fn gibbs_appel<S: Space>(&self, system: &System<S>, a: &[f64]) -> f64 {
         let n = S::NV;
+        let own = self.in_set.as_ref().map(|x| x.accelerations(a));
+        let a = own.as_ref().map_or(a, DVector::as_slice);
         let mut sum = 0.0;
         for (b, frame) in self.frames.iter().enumerate() {
             let own = DVector::from_column_slice(&a[n * b..n * (b + 1)]);

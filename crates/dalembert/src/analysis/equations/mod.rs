@@ -2,6 +2,7 @@
 
 mod body_frame;
 mod coordinates;
+mod in_set;
 mod independent;
 mod labelled;
 mod notes;
@@ -18,6 +19,7 @@ pub use report::{EquationsReport, IndependentEquations, Scalars};
 use super::AnalysisError;
 use super::least_reactions::LeastReactions;
 use crate::formulation::{Basis, Formulation};
+use crate::space::orientation::OrientationSet;
 use crate::space::{Space, Tuple};
 use crate::system::{State, System, Workspace};
 use coordinates::CoordinateTerms;
@@ -63,31 +65,47 @@ pub struct Equations {
     pub independent: Vec<String>,
     /// Whose reference points.
     pub frame: ReferenceFrame,
+    /// Generalized coordinates of the orientations (in space); none: turns about the axes of the frames.
+    pub orientation: Option<OrientationSet>,
 }
 
 impl Equations {
     /// The equations of a system at a state, with the rows that always hold.
     ///
     /// # Errors
-    /// An independent coordinate has an unknown name, or an element gives a value that is not finite.
+    /// An independent coordinate has an unknown name, an element gives a value that is not finite, or orientation
+    /// coordinates are asked for in the plane or at a singular pose.
     pub fn run<S: Space>(
         &self,
         system: &System<S>,
         state: &State,
     ) -> Result<EquationsReport, AnalysisError> {
         let system = &system.running();
-        let names = system.coordinate_names();
-        let rows: Vec<String> = (0..system.rows).map(|row| system.row_name(row)).collect();
-        let preferred = self.preferred(&names)?;
+        let mut names = system.coordinate_names();
+        let mut position_names = system.position_names();
+        let mut rows: Vec<String> = (0..system.rows).map(|row| system.row_name(row)).collect();
         let mut ws = Workspace::new(system);
         system.update_markers(&state.q, &state.v, &mut ws);
         system.evaluate_constraints(state.t, &mut ws);
         system.evaluate_forces(state.t, &mut ws);
-        let at = CoordinateTerms::new(system, state, &ws, self.frame);
+        let mut at = CoordinateTerms::new(system, state, &ws, self.frame);
         if at.terms.check().is_err() {
             return Err(not_finite(system, &ws, state.t));
         }
-        let time = DVector::from_column_slice(&ws.time);
+        let mut residual = ws.value.clone();
+        let mut time = ws.time.clone();
+        if let Some(set) = self.orientation {
+            at = at.in_set(system, &ws, self.frame, set)?;
+        }
+        if let Some(x) = &at.in_set {
+            names.clone_from(&x.names);
+            position_names.clone_from(&x.names);
+            rows.extend_from_slice(&x.rows);
+            residual.extend(x.value.iter());
+            time.resize(rows.len(), 0.0);
+        }
+        let preferred = self.preferred(&names)?;
+        let (residual, time) = (DVector::from_vec(residual), DVector::from_vec(time));
         let mut notes = Notes::default();
         notes.violation(system, &ws, state);
         notes.moving(&time);
@@ -95,7 +113,7 @@ impl Equations {
         let solution = Formulation::AugmentedDense.solve_terms(&at.terms);
         let mut least = LeastReactions::new(system);
         if let Ok(found) = &solution {
-            ws.lambda.copy_from_slice(&found.lambda);
+            ws.lambda.copy_from_slice(&found.lambda[..system.rows]);
         }
         least.settle(system, &mut ws);
         notes.redundant(&least.not_unique(system));
@@ -103,7 +121,7 @@ impl Equations {
         let not_unique: Vec<String> = not_unique.map(|row| rows[row].clone()).collect();
         notes.solution(&solution, &names);
         if let Ok(found) = &solution {
-            notes.contradiction(system, &at.terms, &found.a, &state.v);
+            notes.contradiction(system, &at.terms, &found.a, at.velocities.as_slice());
         }
         let solution = solution.ok();
         let acceleration = solution.as_ref().map(|s| s.a.as_slice());
@@ -126,14 +144,21 @@ impl Equations {
         let values = scalars(system, &ws, state.t, &at, velocities.as_ref(), acceleration);
         let over = |v: &DVector<f64>| LabelledVector::new(v, &names);
         let along = |v: &DVector<f64>| LabelledVector::new(v, &rows);
+        // The conditions among coordinates are independent of the other rows: their multipliers are as they were found.
+        let multipliers = solution.as_ref().map(|found| {
+            let own = found.lambda[system.rows..].iter();
+            let all: Vec<f64> = ws.lambda.iter().chain(own).copied().collect();
+            along(&DVector::from_vec(all))
+        });
         Ok(EquationsReport {
             model: system.name.clone(),
             time: state.t,
             frame: self.frame,
-            positions: LabelledVector::new(&at.positions, &system.position_names()),
+            orientation: self.orientation.map(|set| set.to_string()),
+            positions: LabelledVector::new(&at.positions, &position_names),
             velocities: over(&at.velocities),
             mass: LabelledMatrix::new(&at.terms.mass, &names, &names),
-            residual: along(&DVector::from_column_slice(&ws.value)),
+            residual: along(&residual),
             jacobian: LabelledMatrix::new(&at.terms.jacobian, &rows, &names),
             time_derivative: along(&time),
             applied: over(&at.applied),
@@ -142,9 +167,7 @@ impl Equations {
             accelerations: solution
                 .as_ref()
                 .map(|s| over(&DVector::from_column_slice(&s.a))),
-            multipliers: solution
-                .as_ref()
-                .map(|_| along(&DVector::from_column_slice(&ws.lambda))),
+            multipliers,
             not_unique,
             momenta: over(&(&at.terms.mass * &at.velocities)),
             independent: independent.map(|found| found.equations(&at, self.basis, &names)),

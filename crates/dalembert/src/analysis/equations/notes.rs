@@ -102,7 +102,7 @@ impl Notes {
         };
         let natural = scaled(a).max(scaled(v).powi(2)).max(ROUNDING);
         let left = &terms.jacobian * DVector::from_column_slice(a) - &terms.qd;
-        let (worst, row) = system.largest(left.as_slice());
+        let (worst, row) = system.largest(&left.as_slice()[..system.rows]);
         if worst > VIOLATION * natural {
             self.lines.push(format!(
                 "warning: redundant constraints contradict each other: the accelerations miss Q_d of {} by {}",

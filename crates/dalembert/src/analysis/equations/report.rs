@@ -12,6 +12,10 @@ pub struct EquationsReport {
     pub time: f64,
     /// Whose reference points the coordinates are.
     pub frame: ReferenceFrame,
+    /// The set of the orientation coordinates, where one was asked for: q then has its numbers, v the rates of q, and
+    /// conditions among them are further rows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<String>,
     /// q: positions of the reference points, angles (in space: Euler parameters), auxiliary coordinates.
     pub positions: LabelledVector,
     /// v: velocities of the reference points in ground axes, angular velocities (in space: in the axes of the body frame),

@@ -22,10 +22,14 @@ impl EquationsReport {
             number(self.time)
         );
         let _ = writeln!(out, "M a + C_q^T lambda = Q_e + Q_v,  C_q a = Q_d");
-        let _ = writeln!(
-            out,
-            "coordinates: {}",
-            match (self.frame, self.rates_are_velocities()) {
+        let coordinates = match (&self.orientation, self.frame) {
+            (Some(set), ReferenceFrame::User) => {
+                format!("origins of the body frames, ground axes; {set} of the body frames")
+            }
+            (Some(set), ReferenceFrame::Center) => {
+                format!("centres of mass, ground axes; {set} of the bodies")
+            }
+            (None, frame) => match (frame, self.rates_are_velocities()) {
                 (ReferenceFrame::User, true) =>
                     "origins and angles of the body frames, ground axes",
                 (ReferenceFrame::Center, true) => "centres of mass and angles, ground axes",
@@ -34,7 +38,9 @@ impl EquationsReport {
                 (ReferenceFrame::Center, false) =>
                     "centres of mass, ground axes; turns about the axes of the bodies",
             }
-        );
+            .to_owned(),
+        };
+        let _ = writeln!(out, "coordinates: {coordinates}");
         let mut columns = vec![
             ("q", Some(&self.positions)),
             ("v", Some(&self.velocities)),

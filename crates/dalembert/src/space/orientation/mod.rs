@@ -11,6 +11,7 @@ mod cosines;
 mod error;
 mod euler;
 mod euler_parameters;
+mod rates;
 mod rodriguez;
 mod set;
 
@@ -20,6 +21,7 @@ pub use cosines::{from_axes, from_matrix, from_points, triad};
 pub use error::OrientationError;
 pub use euler::{EulerAngles, EulerSequence};
 pub use euler_parameters::EulerParameters;
+pub use rates::{CoordinateCondition, OrientationRates};
 pub use rodriguez::RodriguezParameters;
 pub use set::{OrientationSet, SetCoordinates};
 
