@@ -3,7 +3,8 @@
 use super::run::{answer, models};
 
 /// Model, coordinates, independent rows, mobility by counting.
-const MOBILITY: [(&str, i64, i64, i64); 44] = [
+const MOBILITY: [(&str, i64, i64, i64); 48] = [
+    ("ball-in-bowl", 6, 1, 5),
     ("bicycle-wheel-gyroscope", 12, 9, 3),
     ("bracket-pendulum", 6, 5, 1),
     // Six hinges in a ring: counting says that it cannot move.
@@ -22,6 +23,7 @@ const MOBILITY: [(&str, i64, i64, i64); 44] = [
     ("double-pendulum", 6, 4, 2),
     ("double-rocker", 9, 8, 1),
     ("double-universal-joint", 18, 17, 1),
+    ("ellipsoid-on-plane", 10, 5, 5),
     ("four-bar", 9, 8, 1),
     // The same linkage as crank-rocker, in space.
     ("four-revolutes", 18, 17, -2),
@@ -39,7 +41,10 @@ const MOBILITY: [(&str, i64, i64, i64); 44] = [
     ("robot-arm-forward", 6, 4, 2),
     ("robot-arm-inverse", 6, 4, 2),
     ("rod-and-disk", 6, 4, 2),
+    // Two rows of no slip hold velocities only.
+    ("rolling-coin", 6, 3, 3),
     ("rolling-cylinder", 4, 3, 1),
+    ("rolling-disc", 6, 3, 3),
     ("rssr-four-bar", 18, 17, 1),
     ("screw-jack", 12, 11, 1),
     ("slider-crank", 9, 8, 1),
