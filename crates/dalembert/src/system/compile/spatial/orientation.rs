@@ -48,7 +48,7 @@ impl Context<'_, Spatial> {
             } => {
                 let angles = self.numbers(angles, Dim::NONE, place, &format!("{own}.angles"));
                 let name = match axes {
-                    Some(EulerAxes::Space) => format!("space-{euler}"),
+                    Some(EulerAxes::Space) => format!("{euler}-space"),
                     Some(EulerAxes::Body) | None => euler.clone(),
                 };
                 let Ok(sequence) = name.parse::<EulerSequence>() else {
