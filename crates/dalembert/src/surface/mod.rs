@@ -2,8 +2,8 @@
 
 mod field;
 mod partials;
-mod surface;
+mod shape;
 
 pub use field::Field;
 pub use partials::Partials;
-pub use surface::{Surface, SurfaceShape};
+pub use shape::{Surface, SurfaceShape};
