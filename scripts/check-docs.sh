@@ -18,7 +18,7 @@ for model in docs/src/examples/*.toml; do
     fi
 done
 # The examples that are templates.
-for template in slider-crank four-bar pendulum planetary-gear; do
+for template in slider-crank four-bar pendulum planetary-gear spatial-slider-crank; do
     "$program" new "$template" | diff - "docs/src/examples/$template.toml"
 done
 "$program" schema | scripts/model-reference.py --check

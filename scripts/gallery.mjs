@@ -4,10 +4,11 @@
 //   node scripts/gallery.mjs        all of them
 //   node scripts/gallery.mjs watt   some of them
 //
-// The program gives the motion (`dalembert view`), the viewer's own code draws it, without a browser.
-// The program is built by cargo, or named by the environment variable DALEMBERT.
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+// The program gives the motion (`dalembert view`). Planar machines are drawn by the viewer's own code, without a browser;
+// for machines in space a headless Chromium takes a picture of the page.
+// The program is built by cargo, or named by the environment variable DALEMBERT; Chromium by CHROMIUM.
+import { execFileSync, spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { basename, dirname, join } from "node:path";
@@ -20,14 +21,25 @@ const gallery = join(root, "docs/gallery");
 const MOMENTS = {
   "cam-flat": 0.04,
   "cam-knife-edge": 0.06,
+  "bicycle-wheel-gyroscope": 0.15,
+  "bracket-pendulum": 0.1,
+  bricard: 0.07,
   "cam-roller": 0.05,
+  "cardan-gyroscope": 0.4,
   catenary: 0.05,
+  "constant-velocity-joint": 0.36,
   "crank-rocker": 0.11,
   "double-crank": 0.09,
   "double-parallelogram": 0.04,
   "double-pendulum": 0.36,
   "double-rocker": 0.02,
+  "double-universal-joint": 0.06,
   "four-bar": 0.03,
+  "four-revolutes": 0.14,
+  "heavy-top-cuspidal": 0.6,
+  "heavy-top-looping": 0.6,
+  "heavy-top-steady": 0.6,
+  "intermediate-axis-flip": 0.25,
   peaucellier: 0.03,
   pendulum: 0.045,
   "pendulum-moving-base": 0.05,
@@ -37,9 +49,22 @@ const MOMENTS = {
   "robot-arm-forward": 0.62,
   "robot-arm-inverse": 0.3,
   "rod-and-disk": 0.25,
+  "ball-in-bowl": 0.35,
+  "ellipsoid-on-plane": 0.3,
+  "rolling-coin": 0.55,
   "rolling-cylinder": 0.06,
+  "rolling-disc": 0.62,
+  "rssr-four-bar": 0.2,
+  "screw-jack": 0.2,
   "slider-crank": 0.06,
   "slider-driven": 0.05,
+  "spatial-arm-2r": 0.3,
+  "spatial-arm-3r": 0.62,
+  "spatial-slider-crank": 0.05,
+  "stewart-platform-forward": 0.45,
+  "stewart-platform-inverse": 0.2,
+  "torque-free-top": 0.3,
+  "universal-joint": 0.06,
   watt: 0.14,
 };
 
@@ -53,8 +78,14 @@ const PLOTS = {
   "spring-damper-four-bar": ["simulate", "crank.omega", "energy.total"],
 };
 
+// Where machines in space are looked at from, if not from the corner: see the address of the page in viewer/README.md.
+const WISHES = {};
+
 const WIDTH = 640;
 const MARGIN = 46;
+const SPATIAL_HEIGHT = 420;
+// Only the picture of the page, without what stands around it.
+const BARE = `header, #player, #panel { display: none !important; } #stage { height: ${SPATIAL_HEIGHT}px !important; }`;
 
 const drawing = await viewer();
 const names = process.argv.slice(2);
@@ -116,6 +147,10 @@ function picture(name) {
   run("view", join(root, "examples", `${name}.toml`), "--html", page);
   const [, data] = readFileSync(page, "utf8").match(/<script id="dalembert-data" type="application\/json">(.*?)<\/script>/s);
   const animation = drawing.readAnimation(data);
+  if (animation.space === "spatial") {
+    photograph(name, page, animation);
+    return;
+  }
   const figure = new drawing.Figure(animation);
   const { bounds } = figure.layout;
   // As high as the machine asks for, within reason.
@@ -129,6 +164,32 @@ function picture(name) {
   const index = Math.round((MOMENTS[name] ?? 0) * (animation.time.length - 1));
   figure.draw(painter, camera, { index, share: 0 }, { theme: drawing.LIGHT, traces: "whole", names: false, highlighted: null });
   write(`${name}.svg`, painter.finish());
+}
+
+/** A picture of the page of a machine in space, taken by Chromium with its software renderer. */
+function photograph(name, page, animation) {
+  const index = Math.round((MOMENTS[name] ?? 0) * (animation.time.length - 1));
+  writeFileSync(page, readFileSync(page, "utf8").replace("</style>", `${BARE}</style>`));
+  const png = join(work, `${name}.png`);
+  const answer = spawnSync(
+    chromium(),
+    [
+      "--headless", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
+      "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
+      `--user-data-dir=${join(work, "profile")}`, `--window-size=${WIDTH},${SPATIAL_HEIGHT}`, "--virtual-time-budget=4000",
+      `--screenshot=${png}`, `${pathToFileURL(page)}#frame=${index}${WISHES[name] ? `&${WISHES[name]}` : ""}`,
+    ],
+    { encoding: "utf8", timeout: 120_000 },
+  );
+  if (!existsSync(png)) throw new Error(`${name}: Chromium took no picture\n${answer.stderr}`);
+  write(`${name}.png`, readFileSync(png));
+}
+
+function chromium() {
+  const names = process.env.CHROMIUM ? [process.env.CHROMIUM] : ["chromium", "chromium-browser", "google-chrome"];
+  const found = names.find((one) => spawnSync(one, ["--version"]).status === 0);
+  if (!found) throw new Error("machines in space need Chromium (or its path in CHROMIUM)");
+  return found;
 }
 
 function plot(name) {

@@ -32,7 +32,7 @@ RUN = re.compile(r'published\(\s*"(\w+)",\s*(?:"([^"]*)"|(\w+)),\s*(?:"((?:[^"\\
 LET = re.compile(r'let (\w+)\s*=\s*"((?:[^"\\]|\\\n)*)";', re.S)
 NEAR = re.compile(r'run\.near\(\s*([^,()]+),\s*"([^"]+)",\s*([^,]+?),\s*([-\d.e]+),?\s*\)', re.S)
 ALL = re.compile(r'run\.all\(\s*([^,()]+),\s*"([^"]+)",\s*&\[(.*?)\],\s*([-\d.e]+),?\s*\)', re.S)
-LOOP = re.compile(r'for \[([^\]]+)\] in (?:super::harness::)?table\("([^"]+)"\) \{\n(.*?)^ +\}$', re.M | re.S)
+LOOP = re.compile(r'for \[([^\]]+)\] in\s+(?:super::harness::)?table\("([^"]+)"\)\s*\{\n(.*?)^ +\}$', re.M | re.S)
 PAIR = re.compile(r'\("([^"]+)",\s*([^,()]+)\)')
 PLAIN = re.compile(r"[\d.e+\-*/ _]+")
 
@@ -63,7 +63,7 @@ def options(text):
 def wanted(body, tables):
     """Time, channel, value of every comparison with a plain number or with a column of a table."""
     for names, file, loop in LOOP.findall(body):
-        names = [n.strip() for n in names.split(",")]
+        names = [n.strip() for n in names.split(",") if n.strip()]
         with (tables / file).open() as rows:
             for line in list(csv.reader(rows))[1:]:
                 row = dict(zip(names, map(float, line)))

@@ -9,7 +9,7 @@
 set -euo pipefail
 
 program=${1:-${CARGO_TARGET_DIR:-target}/debug/dalembert}
-templates=(slider-crank pendulum)
+templates=(slider-crank pendulum spatial-slider-crank)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 pictures=${PICTURES:-$work}

@@ -30,7 +30,7 @@ pub fn animation<S: Space>(
         summary,
         ..Animation::default()
     };
-    let set = loaded.compiled.options.orientation;
+    let set = loaded.compiled.options.recording.orientation;
     for body in &drawing.bodies {
         let shapes: Vec<Shape> = body.shapes.iter().map(shape).collect();
         if body.name == GROUND {

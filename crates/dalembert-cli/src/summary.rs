@@ -45,6 +45,18 @@ pub fn assembly(report: &AssemblyReport) -> Vec<String> {
     lines
 }
 
+/// Most channels of a summary.
+const MOST_ROWS: usize = 24;
+
+/// Smallest and largest value of a channel.
+fn extent(c: &Channel) -> (f64, f64) {
+    c.values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(*x), high.max(*x))
+        })
+}
+
 /// A table of the most telling channels: first and last value, smallest and largest.
 pub fn table(results: &Results) -> String {
     let telling = |name: &str| {
@@ -66,14 +78,27 @@ pub fn table(results: &Results) -> String {
     };
     let mut out = String::new();
     // Channels that stay zero say nothing here; values that are rounding beside them are zero.
-    let largest =
-        |c: &dalembert::results::Channel| c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-    let rows: Vec<_> = results
+    let largest = |c: &Channel| c.values.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    let mut rows: Vec<_> = results
         .channels
         .iter()
         .filter(|c| telling(&c.name) && largest(c) > 1e-12)
-        .take(24)
         .collect();
+    let all = rows.len();
+    if all > MOST_ROWS {
+        // Of many, places that stay where they are say least, and then places at all.
+        let place = |c: &Channel| {
+            c.name.ends_with(".x") || c.name.ends_with(".y") || c.name.ends_with(".z")
+        };
+        let stays = |c: &Channel| {
+            let (low, high) = extent(c);
+            high - low <= 1e-10 * largest(c)
+        };
+        rows.retain(|c| !(place(c) && stays(c)));
+        rows.sort_by_key(|c| place(c));
+        rows.truncate(MOST_ROWS);
+    }
+    let shown = rows.len();
     let width = rows
         .iter()
         .map(|c| c.name.chars().count())
@@ -90,8 +115,7 @@ pub fn table(results: &Results) -> String {
         };
         let rounding = 1e-10 * largest(c);
         let number = |x: f64| number(if x.abs() < rounding { 0.0 } else { x });
-        let low = c.values.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = c.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let (low, high) = extent(c);
         out.push_str(&format!(
             "  {:width$}  {:>13} {:>13} {:>13} {:>13}  {}\n",
             c.name,
@@ -101,6 +125,9 @@ pub fn table(results: &Results) -> String {
             number(high),
             c.unit
         ));
+    }
+    if all > shown {
+        out.push_str(&format!("  and {} more\n", all - shown));
     }
     out
 }

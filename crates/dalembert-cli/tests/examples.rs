@@ -11,7 +11,13 @@ mod examples {
     mod linkages;
     mod mobility;
     mod power;
+    mod rolling;
     mod run;
+    mod space;
+    mod space_arms;
+    mod space_linkages;
+    mod space_shafts;
+    mod space_tops;
     mod statics;
     mod straight_lines;
 }

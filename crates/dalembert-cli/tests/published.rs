@@ -5,15 +5,20 @@
 
 mod published {
     pub mod harness;
+    mod in_space;
 
+    mod adams_joints;
     mod benchmarks;
     mod mobility;
     mod own_machines;
+    mod puma;
     mod shabana_dynamics;
     mod shabana_four_bar;
     mod shabana_inverse;
     mod shabana_kinematics;
     mod shabana_slider_crank;
+    mod shabana_space;
+    mod space_benchmarks;
     mod statics;
     mod textbook_kinematics;
 }

@@ -1,12 +1,14 @@
 //! The models to start from.
 
 use dalembert::analysis::{Assembly, Dynamics, Kinematics};
-use dalembert::system::compile::compile;
+use dalembert::model::{Model, SpaceKind};
+use dalembert::space::{Planar, Spatial};
+use dalembert::system::compile::{ModelSpace, compile};
 use dalembert_io::model_file::{parse_model, render, templates, write_model};
 
 #[test]
 fn templates_have_no_mistakes_and_survive_writing() {
-    assert_eq!(templates().len(), 7);
+    assert_eq!(templates().len(), 8);
     for template in templates() {
         let parsed = parse_model(template.text, None);
         let report = render(
@@ -38,21 +40,22 @@ fn the_slider_crank_is_what_the_design_says() {
 fn the_engine_accepts_templates_and_assembles_them_near_their_estimates() {
     for template in templates() {
         let model = parse_model(template.text, None).model.unwrap();
-        let compiled = compile::<dalembert::space::Planar>(&model, &[])
-            .unwrap_or_else(|e| panic!("{}: {e}", template.name));
-        assert_eq!(compiled.warnings, [], "{}", template.name);
-        let assembly = Assembly::default();
-        let (_, report) = assembly
-            .run(&compiled.system)
-            .unwrap_or_else(|e| panic!("{}: {e}", template.name));
-        for moved in report.moved {
-            let (distance, turn) = (moved.distance.abs(), moved.turn.abs());
-            assert!(
-                distance < 0.01 && turn < 0.01,
-                "{}: {moved:?}",
-                template.name
-            );
+        match model.info.space {
+            SpaceKind::Planar => assembles_near::<Planar>(&model, template.name),
+            SpaceKind::Spatial => assembles_near::<Spatial>(&model, template.name),
         }
+    }
+}
+
+fn assembles_near<S: ModelSpace>(model: &Model, name: &str) {
+    let compiled = compile::<S>(model, &[]).unwrap_or_else(|e| panic!("{name}: {e}"));
+    assert_eq!(compiled.warnings, [], "{name}");
+    let (_, report) = Assembly::default()
+        .run(&compiled.system)
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
+    for moved in report.moved {
+        let (distance, turn) = (moved.distance.abs(), moved.turn.abs());
+        assert!(distance < 0.01 && turn < 0.01, "{name}: {moved:?}");
     }
 }
 
@@ -63,7 +66,7 @@ fn driven_templates_move_as_their_comments_say() {
         if model.drivers.is_empty() {
             continue;
         }
-        let compiled = compile::<dalembert::space::Planar>(&model, &[]).unwrap();
+        let compiled = compile::<Planar>(&model, &[]).unwrap();
         let run = Kinematics {
             instants: compiled.options.instants(),
             ..Kinematics::default()
@@ -107,11 +110,18 @@ fn free_templates_run_to_their_end() {
         if !model.drivers.is_empty() {
             continue;
         }
-        let compiled = compile::<dalembert::space::Planar>(&model, &[]).unwrap();
-        let run = Dynamics::new(&compiled.options)
-            .run(&compiled.system, &mut |_| true)
-            .unwrap();
-        assert!(run.stopped.is_none(), "{}", template.name);
-        assert_eq!(run.results.len(), compiled.options.instants().len());
+        match model.info.space {
+            SpaceKind::Planar => runs_to_its_end::<Planar>(&model, template.name),
+            SpaceKind::Spatial => runs_to_its_end::<Spatial>(&model, template.name),
+        }
     }
+}
+
+fn runs_to_its_end<S: ModelSpace>(model: &Model, name: &str) {
+    let compiled = compile::<S>(model, &[]).unwrap();
+    let run = Dynamics::new(&compiled.options)
+        .run(&compiled.system, &mut |_| true)
+        .unwrap();
+    assert!(run.stopped.is_none(), "{name}");
+    assert_eq!(run.results.len(), compiled.options.instants().len());
 }

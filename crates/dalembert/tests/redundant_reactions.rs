@@ -234,7 +234,6 @@ fn moving_machine(make: &dyn Fn(&Value) -> Compiled, quantity: &Value, body: usi
     let run = Inverse {
         instants: vec![0.0, 1e-3],
         newton: NewtonOptions::of(&Options::default()),
-        actuators: Vec::new(),
         ..Inverse::default()
     }
     .run(&driven.system)

@@ -18,7 +18,7 @@ fn inverse<S: Space>(args: &InverseArgs, loaded: &Loaded<S>) -> Result<(), Failu
     let analysis = Inverse {
         instants: options.instants(),
         newton: NewtonOptions::of(options),
-        orientation: options.orientation,
+        recording: options.recording,
         actuators: if args.actuator.is_empty() {
             options.actuators.clone()
         } else {

@@ -56,7 +56,7 @@ fn statics<S: Space>(args: &StaticsArgs, loaded: &Loaded<S>) -> Result<(), Failu
             StaticsRoute::Multipliers => Route::Multipliers,
         },
         starts: args.starts,
-        orientation: loaded.compiled.options.orientation,
+        recording: loaded.compiled.options.recording,
         ..Statics::default()
     };
     let report = analysis.run(system)?;

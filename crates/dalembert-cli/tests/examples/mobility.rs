@@ -3,19 +3,32 @@
 use super::run::{answer, models};
 
 /// Model, coordinates, independent rows, mobility by counting.
-const MOBILITY: [(&str, i64, i64, i64); 24] = [
+const MOBILITY: [(&str, i64, i64, i64); 44] = [
+    ("bicycle-wheel-gyroscope", 12, 9, 3),
+    ("bracket-pendulum", 6, 5, 1),
+    // Six hinges in a ring: counting says that it cannot move.
+    ("bricard", 30, 29, 0),
     // The surface parameter of a cam and the angle of a rolling contact are coordinates too.
     ("cam-flat", 7, 6, 1),
     ("cam-knife-edge", 7, 6, 1),
     ("cam-roller", 7, 6, 1),
+    ("cardan-gyroscope", 24, 21, 3),
     ("catenary", 30, 22, 8),
+    ("constant-velocity-joint", 18, 16, 2),
     ("crank-rocker", 9, 8, 1),
     ("double-crank", 9, 8, 1),
     // Counting says that it cannot move.
     ("double-parallelogram", 12, 11, 0),
     ("double-pendulum", 6, 4, 2),
     ("double-rocker", 9, 8, 1),
+    ("double-universal-joint", 18, 17, 1),
     ("four-bar", 9, 8, 1),
+    // The same linkage as crank-rocker, in space.
+    ("four-revolutes", 18, 17, -2),
+    ("heavy-top-cuspidal", 6, 3, 3),
+    ("heavy-top-looping", 6, 3, 3),
+    ("heavy-top-steady", 6, 3, 3),
+    ("intermediate-axis-flip", 6, 0, 6),
     ("peaucellier", 21, 20, 1),
     ("pendulum", 3, 2, 1),
     ("pendulum-moving-base", 6, 4, 2),
@@ -27,9 +40,18 @@ const MOBILITY: [(&str, i64, i64, i64); 24] = [
     ("robot-arm-inverse", 6, 4, 2),
     ("rod-and-disk", 6, 4, 2),
     ("rolling-cylinder", 4, 3, 1),
+    ("rssr-four-bar", 18, 17, 1),
+    ("screw-jack", 12, 11, 1),
     ("slider-crank", 9, 8, 1),
     ("slider-driven", 9, 8, 1),
+    ("spatial-arm-2r", 12, 10, 2),
+    ("spatial-arm-3r", 24, 21, 3),
+    ("spatial-slider-crank", 18, 17, 1),
     ("spring-damper-four-bar", 9, 8, 1),
+    ("stewart-platform-forward", 78, 72, 6),
+    ("stewart-platform-inverse", 78, 72, 6),
+    ("torque-free-top", 6, 0, 6),
+    ("universal-joint", 12, 11, 1),
     ("watt", 9, 8, 1),
 ];
 

@@ -11,7 +11,7 @@ pub struct Template {
     pub text: &'static str,
 }
 
-const TEMPLATES: [Template; 7] = [
+const TEMPLATES: [Template; 8] = [
     Template {
         name: "slider-crank",
         description: "a driven crank moves a slider through a rod",
@@ -46,6 +46,11 @@ const TEMPLATES: [Template; 7] = [
         name: "planetary-gear",
         description: "sun, planet, carrier and a fixed ring",
         text: include_str!("../../templates/planetary-gear.toml"),
+    },
+    Template {
+        name: "spatial-slider-crank",
+        description: "a machine in space: pin, ball, universal joint and guide",
+        text: include_str!("../../templates/spatial-slider-crank.toml"),
     },
 ];
 

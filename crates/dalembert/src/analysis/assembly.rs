@@ -180,7 +180,10 @@ impl Assembly {
     }
 }
 
-/// Refuses a pose in which the rows of an element hold on another side than the one that is meant.
+/// Cosine below which axes that should stand alike do not. Where rows hold it is 1, 0 (axes exchanged) or -1 (opposite).
+const ALIKE: f64 = 0.5;
+
+/// Refuses a pose in which the rows of an element hold with other axes than those that are meant.
 fn right_sides<S: Space>(
     system: &System<S>,
     ws: &mut Workspace<S>,
@@ -189,7 +192,7 @@ fn right_sides<S: Space>(
     system.update_markers(&state.q, &state.v, ws);
     let wrong = system.elements.iter().filter(|e| {
         let markers = ws.seen(&e.markers);
-        e.element.positive().iter().any(|m| m.value(&markers) < 0.0)
+        e.element.alike().iter().any(|m| m.value(&markers) < ALIKE)
     });
     let names: Vec<String> = wrong
         .map(|e| format!("'{}' ({})", e.name, e.kind))

@@ -1,19 +1,20 @@
 //! Forward dynamics: the augmented formulation in absolute coordinates, integrated with error
 //! control; positions and velocities projected.
 
+use super::conserved::conserved;
 use super::contradiction::contradiction;
 use super::least_reactions::LeastReactions;
 use super::massless;
 use super::newton::NewtonOptions;
 use super::open_reactions::{OpenReactions, at_time};
 use super::pace::{Limits, Pace};
-use super::recorder::{Extra, Recorder};
+use super::pulling::Pulling;
+use super::recorder::{Extra, Recorder, Recording};
 use super::{AnalysisError, Assembly, AssemblyReport, Motion};
 use crate::integrate::{Dopri5, Ode, StepError};
 use crate::model::Stabilization;
 use crate::results::Results;
 use crate::space::Space;
-use crate::space::orientation::OrientationSet;
 use crate::system::compile::Options;
 use crate::system::{State, System};
 
@@ -34,8 +35,8 @@ pub struct Dynamics {
     pub baumgarte: [f64; 2],
     /// Newton's options of the assembly.
     pub newton: NewtonOptions,
-    /// Coordinates in which orientations in space are written.
-    pub orientation: OrientationSet,
+    /// What is written.
+    pub recording: Recording,
 }
 
 /// What a run did.
@@ -62,7 +63,7 @@ impl Dynamics {
             stabilization: options.stabilization,
             baumgarte: options.baumgarte,
             newton: NewtonOptions::of(options),
-            orientation: options.orientation,
+            recording: options.recording,
         }
     }
 
@@ -106,9 +107,10 @@ impl Dynamics {
         motion.passed(start)?;
         let start_energy = motion.energy(start, &y);
         let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
-        let mut recorder = Recorder::new(true).with_orientation(self.orientation);
+        let mut recorder = Recorder::new(true).writing(self.recording);
         let mut least = LeastReactions::new(&running);
         let mut open = OpenReactions::default();
+        let mut pulling = Pulling::default();
         let (mut steps, mut rejected) = (0_usize, 0_usize);
         let mut stopped = None;
         let mut drift: f64 = 0.0;
@@ -170,6 +172,7 @@ impl Dynamics {
             };
             least.settle(&running, &mut motion.ws);
             open.pose(&least.not_unique(&running), || at_time(t));
+            pulling.look(&running, &motion.ws, t);
             recorder.record(&running, &motion.ws, &state, extra);
         }
         if matches!(
@@ -180,14 +183,18 @@ impl Dynamics {
         }
         let mut results = recorder.into_results(&system.name, "simulate");
         notes.extend(open.notes());
+        notes.extend(pulling.notes());
         if stopped.is_none() && integrator.stiffness.since.is_some() {
             let fastest = motion.stiffest(integrator.t, &integrator.y);
             notes.extend(Pace::note(steps, &integrator.stiffness, fastest.as_ref()));
         }
+        notes.append(&mut results.notes);
         results.notes = notes;
         results
             .notes
             .extend(massless::note(&running, &motion.metric));
+        let kept = conserved(&results);
+        results.notes.extend(kept);
         for (name, value) in [
             ("steps", steps as f64),
             ("rejected steps", rejected as f64),

@@ -26,9 +26,9 @@ pub enum AnalysisError {
         /// Constraints that contradict each other, in words; empty where none was found.
         conflict: String,
     },
-    /// The rows of joints hold, but with axes that point against each other.
+    /// The rows of joints hold, but with axes that point against each other, or are exchanged.
     #[error(
-        "the machine came together wrongly at t = {} s: the axes of {elements} point against each other; turn the estimates \
+        "the machine came together wrongly at t = {} s: the axes of {elements} do not point the same way; turn the estimates \
          of their bodies nearer to the pose that is meant, or reverse an axis",
         readable(*time)
     )]

@@ -3,9 +3,9 @@
 use super::AnalysisError;
 use super::kinematics::{Kinematics, KinematicsRun};
 use super::newton::NewtonOptions;
+use super::recorder::Recording;
 use crate::joint::{MeasureRow, MeasureRows, TimeFunction};
 use crate::space::Space;
-use crate::space::orientation::OrientationSet;
 use crate::system::{ElementData, Role, System};
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
@@ -18,8 +18,8 @@ pub struct Inverse {
     pub instants: Vec<f64>,
     /// Newton's options.
     pub newton: NewtonOptions,
-    /// Coordinates in which orientations in space are written.
-    pub orientation: OrientationSet,
+    /// What is written.
+    pub recording: Recording,
     /// Joints that have the actuators; empty: the drivers themselves.
     pub actuators: Vec<String>,
 }
@@ -33,7 +33,7 @@ impl Inverse {
         let kinematics = Kinematics {
             instants: self.instants.clone(),
             newton: self.newton,
-            orientation: self.orientation,
+            recording: self.recording,
         };
         let mut run = if self.actuators.is_empty() {
             kinematics.run(system)?

@@ -3,6 +3,7 @@
 
 mod assembly;
 mod changed_rate;
+mod conserved;
 mod contradiction;
 mod dynamics;
 pub mod equations;
@@ -18,6 +19,7 @@ mod motion;
 mod newton;
 mod open_reactions;
 mod pace;
+mod pulling;
 mod recorder;
 mod statics;
 mod stiffest;
@@ -38,7 +40,7 @@ pub use mobility::{
 };
 pub use motion::Motion;
 pub use newton::{NewtonOptions, NewtonReport};
-pub use recorder::{Extra, Recorder};
+pub use recorder::{Extra, Recorder, Recording};
 pub use statics::{
     Equilibrium, HoldingLoad, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown,
     holding_loads,

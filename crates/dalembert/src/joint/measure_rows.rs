@@ -34,8 +34,8 @@ pub struct MeasureRows<S: Space = Planar> {
     pub markers: usize,
     /// The rows.
     pub rows: SmallVec<[MeasureRow<S>; 2]>,
-    /// Measures that are positive on the side that is meant.
-    pub positive: SmallVec<[Measure<S>; 1]>,
+    /// Cosines that are one in the pose that is meant.
+    pub alike: SmallVec<[Measure<S>; 1]>,
 }
 
 impl<S: Space> MeasureRow<S> {
@@ -98,12 +98,12 @@ impl<S: Space> MeasureRow<S> {
 }
 
 impl<S: Space> MeasureRows<S> {
-    /// Rows on a number of markers; every side on which they hold is meant.
+    /// Rows on a number of markers; every pose in which they hold is meant.
     pub fn new(markers: usize, rows: SmallVec<[MeasureRow<S>; 2]>) -> Self {
         Self {
             markers,
             rows,
-            positive: SmallVec::new(),
+            alike: SmallVec::new(),
         }
     }
 }
@@ -127,8 +127,8 @@ impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
             .collect()
     }
 
-    fn positive(&self) -> &[Measure<S>] {
-        &self.positive
+    fn alike(&self) -> &[Measure<S>] {
+        &self.alike
     }
 
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {

@@ -121,8 +121,8 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     fn distances(&self) -> Vec<Measure<S>> {
         Vec::new()
     }
-    /// Measures that are positive where the element is on the side that is meant: its rows may hold on other sides too.
-    fn positive(&self) -> &[Measure<S>] {
+    /// Cosines that are one where the element stands as it is meant: its rows may also hold where they are zero or negative.
+    fn alike(&self) -> &[Measure<S>] {
         &[]
     }
     /// The force of a contact whose rows have these multipliers; none for other elements.

@@ -7,11 +7,11 @@ use crate::space::Spatial;
 use crate::space::orientation::Axis;
 use dalembert_expr::Program;
 
-/// The point of the second marker on a curve c(s) in the axes of the first: C_k = c_k(s) - e_k.d, with the curve
-/// parameter s as auxiliary coordinate.
+/// The point of the second marker on a curve c(u) in the axes of the first: C_k = c_k(u) - e_k.d, with the curve
+/// parameter u as auxiliary coordinate.
 #[derive(Clone, Debug)]
 pub struct PointOnCurve {
-    /// x, y and z [m], expressions of s alone.
+    /// x, y and z [m], expressions of u alone.
     pub curve: [Program; 3],
 }
 
@@ -38,7 +38,7 @@ impl ConstraintElement<Spatial> for PointOnCurve {
 
     fn auxiliaries(&self) -> Vec<RowLabel> {
         vec![RowLabel {
-            text: "s".to_owned(),
+            text: "u".to_owned(),
             unit: RowUnit::Other,
         }]
     }

@@ -1,6 +1,6 @@
 //! Options of the analyses and of what is written.
 
-use super::Value;
+use super::{Point, Value};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -62,6 +62,10 @@ pub struct OutputOptions {
     /// Patterns of channel names that are written, like "crank.*"; default all.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub channels: Vec<String>,
+    /// Point in ground axes [m] about which the angular momentum of each body and of the machine is written; default: that of
+    /// the machine only, about the origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub momentum_about: Option<Point>,
     /// Coordinates in which orientations are written: "euler-parameters", "axis-angle", "rodriguez",
     /// "direction-cosines", or Euler angles like "euler-zxz" (about body axes) and "euler-xyz-space" (about
     /// ground axes); default "euler-parameters" (spatial).

@@ -47,15 +47,15 @@ pub enum CamFollower {
     Flat,
 }
 
-/// A curve in space by its parameter `s`, a plain number.
+/// A curve in space by its parameter `u`, a plain number.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SpaceCurve {
-    /// x(s) [m], an expression of `s`.
+    /// x(u) [m], an expression of `u`.
     pub x: Value,
-    /// y(s) [m], an expression of `s`.
+    /// y(u) [m], an expression of `u`.
     pub y: Value,
-    /// z(s) [m], an expression of `s`.
+    /// z(u) [m], an expression of `u`.
     pub z: Value,
 }
 
@@ -226,7 +226,7 @@ pub enum JointKind {
         curve: SpaceCurve,
         /// Estimate of the curve parameter at the start; default 0.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        s: Option<Value>,
+        u: Option<Value>,
     },
     /// The joint z axes of the two bodies stay parallel; the points do not matter (spatial).
     ParallelAxes {

@@ -127,6 +127,8 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
         set: OrientationSet,
         before: Option<&[f64]>,
     ) -> SmallVec<[f64; 9]>;
+    /// How far a marker is from where a set of coordinates is singular, one at most; always one in the plane.
+    fn regularity(marker: &Self::Marker, set: OrientationSet) -> f64;
     /// A marker at the ground's origin that stands as the second does seen from the first.
     fn relative(first: &Self::Marker, second: &Self::Marker) -> Self::Marker;
     /// The pose of the second marker in the axes of the first: displacements, then the angle or the rotation vector.

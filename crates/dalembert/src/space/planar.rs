@@ -152,6 +152,10 @@ impl Space for Planar {
         smallvec![m.angle]
     }
 
+    fn regularity(_: &PlanarMarker, _: OrientationSet) -> f64 {
+        1.0
+    }
+
     fn relative(first: &PlanarMarker, second: &PlanarMarker) -> PlanarMarker {
         Self::ground_marker(&PlanarFrame {
             at: Vector2::zeros(),

@@ -90,6 +90,11 @@ pub fn join(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
     )
 }
 
+/// How a marker stands.
+fn stands(m: &SpatialMarker) -> Rotation {
+    Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m.axes))
+}
+
 impl Space for Spatial {
     const NQ: usize = 7;
     const NV: usize = 6;
@@ -191,12 +196,15 @@ impl Space for Spatial {
         set: OrientationSet,
         before: Option<&[f64]>,
     ) -> SmallVec<[f64; 9]> {
-        let rotation = Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m.axes));
-        let now = set.coordinates(&rotation).values;
+        let now = set.coordinates(&stands(m)).values;
         match before {
             Some(before) => set.near(now, before),
             None => now,
         }
+    }
+
+    fn regularity(m: &SpatialMarker, set: OrientationSet) -> f64 {
+        set.regularity(&stands(m))
     }
 
     fn relative(first: &SpatialMarker, second: &SpatialMarker) -> SpatialMarker {

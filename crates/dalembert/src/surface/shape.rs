@@ -25,9 +25,9 @@ pub enum SurfaceShape {
     /// (r cos a, r sin a, t sin b), r = R + t cos b.
     Torus(f64, f64),
     /// (r(b) cos a, r(b) sin a, z(b)); expressions of b alone.
-    Revolved([Program; 2]),
+    Revolved(Box<[Program; 2]>),
     /// x, y, z as expressions of a and b, in this order; which of them each one uses.
-    Expressions([Program; 3], [[usize; 2]; 3]),
+    Expressions(Box<[Program; 3]>, [[usize; 2]; 3]),
 }
 
 /// A surface of a body. Its normal points out of the body: t_a x t_b, or against it where the body lies around the surface.
@@ -129,7 +129,10 @@ impl Surface {
                 r[0] += radius;
                 revolved(r, up.map(|x| tube * x[1]), a)
             }
-            SurfaceShape::Revolved([r, z]) => revolved(of_one(r, b), of_one(z, b), a),
+            SurfaceShape::Revolved(profile) => {
+                let [r, z] = &**profile;
+                revolved(of_one(r, b), of_one(z, b), a)
+            }
             SurfaceShape::Expressions(programs, uses) => {
                 let all: [[[f64; 4]; 4]; 3] =
                     std::array::from_fn(|k| of_two(&programs[k], uses[k], [a, b]));

@@ -3,6 +3,7 @@
 mod cosines;
 mod euler;
 mod parameters;
+mod problems;
 #[path = "../support/mod.rs"]
 mod support;
 

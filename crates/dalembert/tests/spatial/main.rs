@@ -1,16 +1,27 @@
-//! Spatial bodies, markers and measures against dual numbers.
+//! Spatial bodies, markers, measures and the joint catalogue against dual numbers; joints as machines.
 
 mod bodies;
+mod check;
 mod contact_rows;
+mod joint_equations;
+mod joints;
 mod machine;
 mod measures;
+mod motion;
+mod moving_machine;
 mod oracle;
+mod quantities;
+mod ranks;
 mod rolling;
+mod rows;
 mod shapes;
 #[path = "../support/mod.rs"]
 mod support;
 mod surfaces;
 mod touching;
+mod traps;
+mod turns;
+mod twins;
 mod velocity_rows;
 
 use support::{Random, near};

@@ -1,6 +1,6 @@
 //! Machines that roll and skate, against motions that are known.
 
-use super::machine::{G, compiled, mobility, motion, run, solved, spread, start};
+use super::moving_machine::{G, compiled, mobility, motion, run, solved, spread, start};
 use super::*;
 use dalembert::analysis::{AnalysisError, Inverse, Kinematics};
 use dalembert::system::compile::Options;

@@ -66,7 +66,7 @@ impl Shape {
             let uses = programs
                 .each_ref()
                 .map(|p| [0, 1].map(|name| place(p, name).unwrap_or(usize::MAX)));
-            SurfaceShape::Expressions(programs, uses)
+            SurfaceShape::Expressions(Box::new(programs), uses)
         };
         let shape = match self {
             Self::Plane => SurfaceShape::Plane,
@@ -75,10 +75,10 @@ impl Shape {
             Self::Cone(r, h) => SurfaceShape::Cone(r, h),
             Self::Ellipsoid(half) => SurfaceShape::Ellipsoid(half),
             Self::Torus(r, t) => SurfaceShape::Torus(r, t),
-            Self::Revolved => SurfaceShape::Revolved([
+            Self::Revolved => SurfaceShape::Revolved(Box::new([
                 program("0.4 + 0.2*sin(2*b)", &["b"]),
                 program("b - 0.3*b^3", &["b"]),
-            ]),
+            ])),
             Self::Field => of(
                 &["a", "b"],
                 ["a + 0.1*b^2", "b", "a^2 + 2*b^2 + 0.1*sin(a*b)"],

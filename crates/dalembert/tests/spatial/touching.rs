@@ -1,6 +1,6 @@
 //! Machines whose surfaces touch, against motions that are known.
 
-use super::machine::{G, compiled, mobility, motion, run, solved, spread, start};
+use super::moving_machine::{G, compiled, mobility, motion, run, solved, spread, start};
 use super::*;
 use dalembert::formulation::{Basis, Formulation};
 use dalembert::space::orientation::{EulerSequence, Rotation};

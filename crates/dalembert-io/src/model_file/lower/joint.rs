@@ -181,7 +181,7 @@ fn kind(table: &mut TableReader<'_>) -> Option<JointKind> {
         Kind::PointOnCurve => JointKind::PointOnCurve {
             placement: placement::lower(table, "point-on-curve", Needs::Point),
             curve: table.required("curve", curve).unwrap_or_default(),
-            s: table.value("s"),
+            u: table.value("u"),
         },
         Kind::ParallelAxes => JointKind::ParallelAxes {
             placement: placement::lower(table, "parallel-axes", Needs::Axis),

@@ -89,6 +89,7 @@ fn orientation_set(item: &Item<'_>) -> Option<String> {
 pub(super) fn output(mut table: TableReader<'_>) -> OutputOptions {
     let options = OutputOptions {
         channels: table.list("channels", Item::text),
+        momentum_about: table.point("momentum_about"),
         orientation: table.of_space(SpaceKind::Spatial, "orientation", orientation_set),
     };
     table.finish();

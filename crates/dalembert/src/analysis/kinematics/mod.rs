@@ -11,11 +11,11 @@ use super::least_reactions::LeastReactions;
 use super::meeting::Meeting;
 use super::newton::NewtonOptions;
 use super::open_reactions::{OpenReactions, at_time};
-use super::recorder::{Extra, Recorder};
+use super::pulling::Pulling;
+use super::recorder::{Extra, Recorder, Recording};
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
 use crate::space::Space;
-use crate::space::orientation::OrientationSet;
 use crate::system::System;
 use crate::system::compile::Options;
 use actuated::Actuated;
@@ -28,8 +28,8 @@ pub struct Kinematics {
     pub instants: Vec<f64>,
     /// Newton's options.
     pub newton: NewtonOptions,
-    /// Coordinates in which orientations in space are written.
-    pub orientation: OrientationSet,
+    /// What is written.
+    pub recording: Recording,
 }
 
 /// A kinematic run: what was computed, and why it ended early if it did.
@@ -62,7 +62,7 @@ impl Kinematics {
         Self {
             instants: options.instants(),
             newton: NewtonOptions::of(options),
-            orientation: options.orientation,
+            recording: options.recording,
         }
     }
 
@@ -98,10 +98,11 @@ impl Kinematics {
         refuse_rolling(&running)?;
         let mut runner = Runner::new(&running, self.newton);
         runner.start(&mut state)?;
-        let mut recorder = Recorder::new(true).with_orientation(self.orientation);
+        let mut recorder = Recorder::new(true).writing(self.recording);
         let mut forces = actuated.map(Actuated::new);
         let mut least = LeastReactions::new(actuated.unwrap_or(&running));
         let mut open = OpenReactions::default();
+        let mut pulling = Pulling::default();
         let meeting = Meeting::new(&running);
         let mut stopped = None;
         for (k, &t) in self.instants.iter().enumerate() {
@@ -132,22 +133,26 @@ impl Kinematics {
                 }
                 least.settle(forces.system, &mut forces.ws);
                 open.pose(&least.not_unique(forces.system), || at_time(t));
+                pulling.look(forces.system, &forces.ws, t);
                 recorder.record(forces.system, &forces.ws, &state, Extra::default());
             } else {
                 runner.forces(&state);
                 least.settle(&running, &mut runner.ws);
                 open.pose(&least.not_unique(&running), || at_time(t));
+                pulling.look(&running, &runner.ws, t);
                 recorder.record(&running, &runner.ws, &state, Extra::default());
             }
         }
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
         notes.extend(open.notes());
+        notes.extend(pulling.notes());
         if running.nv() > DENSE {
             notes.push(format!(
                 "warning: not checked for singular poses between the instants: the machine has more than {DENSE} coordinates"
             ));
         }
+        notes.append(&mut results.notes);
         results.notes = notes;
         let instants = results.len();
         results

@@ -1,7 +1,8 @@
 //! Energy, momentum and power of a machine.
 
-use crate::space::{Space, Tuple};
+use crate::space::{Space, Tuple, spread};
 use crate::system::{System, Workspace};
+use nalgebra::Vector3;
 
 /// Kinetic energy and potential energy of gravity (zero at the ground's origin).
 pub(in crate::analysis) fn energies<S: Space>(
@@ -37,14 +38,18 @@ fn body_momentum<S: Space>(system: &System<S>, body: usize, v: &[f64]) -> S::Twi
     momentum
 }
 
-/// Linear momentum and angular momentum about the origin, in ground axes.
-pub(super) fn momentum<S: Space>(system: &System<S>, ws: &Workspace<S>, v: &[f64]) -> S::Twist {
-    let mut sum = S::Twist::zero();
-    for (b, body) in system.bodies.iter().enumerate() {
-        let own = body_momentum(system, b, v);
-        sum.add_scaled(1.0, &S::at_origin(&ws.markers[body.center_marker], &own));
-    }
-    sum
+/// Linear momentum of a body and angular momentum about a point, in ground axes.
+pub(super) fn momentum<S: Space>(
+    system: &System<S>,
+    ws: &Workspace<S>,
+    v: &[f64],
+    body: usize,
+    about: &Vector3<f64>,
+) -> [Vector3<f64>; 2] {
+    let own = body_momentum(system, body, v);
+    let center = &ws.markers[system.bodies[body].center_marker];
+    let [linear, angular] = spread::<S>(&S::at_origin(center, &own));
+    [linear, angular - about.cross(&linear)]
 }
 
 /// Power that the constraint of a driver gives to the machine: lambda . C_t, since C_q v = -C_t.

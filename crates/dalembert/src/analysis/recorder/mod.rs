@@ -4,13 +4,14 @@ mod elements;
 mod energy;
 mod points;
 mod reaction;
+mod recording;
 mod totals;
 
 pub(super) use energy::{energies, outside_power};
+pub use recording::Recording;
 
 use crate::results::{Channel, Results};
 use crate::space::Space;
-use crate::space::orientation::OrientationSet;
 use crate::system::{State, System, Workspace};
 
 /// Records every coordinate, reaction, force, energy and violation of a machine.
@@ -21,8 +22,9 @@ pub struct Recorder {
     scratch: Vec<f64>,
     /// Are accelerations and reactions recorded?
     dynamic: bool,
-    /// Coordinates in which orientations in space are written.
-    orientation: OrientationSet,
+    recording: Recording,
+    /// Bodies and traces that came near a singular pose of the set: name, time and how near.
+    singular: Vec<(String, f64, f64)>,
 }
 
 /// Quantities of an instant that the workspace does not hold.
@@ -33,6 +35,9 @@ pub struct Extra {
     /// Energy at the start [J].
     pub start_energy: Option<f64>,
 }
+
+/// Distance from a singular pose below which the coordinates lose three digits.
+const SINGULAR: f64 = 1e-3;
 
 /// Letters of the axes of the ground.
 const LETTERS: [&str; 3] = ["x", "y", "z"];
@@ -57,23 +62,50 @@ impl Recorder {
             at: 0,
             scratch: Vec::new(),
             dynamic,
-            orientation: OrientationSet::EulerParameters,
+            recording: Recording::default(),
+            singular: Vec::new(),
         }
     }
 
-    /// The same with other coordinates for orientations in space.
+    /// The same with other choices of what is written.
     #[must_use]
-    pub fn with_orientation(mut self, set: OrientationSet) -> Self {
-        self.orientation = set;
+    pub fn writing(mut self, recording: Recording) -> Self {
+        self.recording = recording;
         self
+    }
+
+    /// Keeps how near a frame comes to a singular pose of the set.
+    fn watch(&mut self, name: &str, regularity: f64, t: f64) {
+        if regularity >= SINGULAR {
+            return;
+        }
+        match self.singular.iter_mut().find(|(known, ..)| known == name) {
+            Some((_, time, least)) if regularity < *least => (*time, *least) = (t, regularity),
+            Some(_) => {}
+            None => self.singular.push((name.to_owned(), t, regularity)),
+        }
+    }
+
+    /// Where the coordinates of the set are singular.
+    fn singular_notes(&self) -> Vec<String> {
+        let note = |(name, t, _): &(String, f64, f64)| {
+            format!(
+                "warning: near t = {t:.6} s the orientation of {name} is singular in {}: its coordinates are not unique or \
+                 infinite there; another output.orientation has other singular poses, Euler parameters have none",
+                self.recording.orientation
+            )
+        };
+        self.singular.iter().map(note).collect()
     }
 
     /// The results so far.
     pub fn into_results(self, model: &str, analysis: &str) -> Results {
+        let notes = self.singular_notes();
         Results {
             model: model.to_owned(),
             analysis: analysis.to_owned(),
             channels: self.channels,
+            notes,
             ..Results::default()
         }
     }
@@ -115,6 +147,12 @@ impl Recorder {
         self.at = 0;
         self.put("", "time", "s", "time", state.t);
         for body in &system.bodies {
+            let marker = &ws.markers[body.frame_marker];
+            self.watch(
+                &body.name,
+                S::regularity(marker, self.recording.orientation),
+                state.t,
+            );
             self.point(system, ws, &body.name, body.frame_marker, "body frame");
         }
         for trace in &system.traces {

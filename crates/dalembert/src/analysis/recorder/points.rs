@@ -21,9 +21,9 @@ impl Recorder {
             let meaning = format!("{what}: position, ground {axis}");
             self.put(name, axis, "m", &meaning, x);
         }
-        let labels = S::attitude_labels(self.orientation);
+        let labels = S::attitude_labels(self.recording.orientation);
         let before = self.last(labels.len());
-        let attitude = S::attitude(m, self.orientation, before.as_deref());
+        let attitude = S::attitude(m, self.recording.orientation, before.as_deref());
         for (label, x) in labels.iter().zip(attitude) {
             let meaning = format!("{what}: {}", label.meaning);
             self.put(name, &label.name, label.unit, &meaning, x);
@@ -98,9 +98,9 @@ impl Recorder {
             }
         }
         let relative = S::relative(o, p);
-        let labels = S::attitude_labels(self.orientation);
+        let labels = S::attitude_labels(self.recording.orientation);
         let before = self.last(labels.len());
-        let attitude = S::attitude(&relative, self.orientation, before.as_deref());
+        let attitude = S::attitude(&relative, self.recording.orientation, before.as_deref());
         for (label, x) in labels.iter().zip(attitude) {
             let kind = if S::ANGULAR.len() == 1 {
                 "angle"

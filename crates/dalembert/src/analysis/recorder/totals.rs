@@ -2,8 +2,9 @@
 
 use super::energy::{driver_power, energies, momentum};
 use super::{Extra, LETTERS, Recorder, turns};
-use crate::space::{Space, spread};
+use crate::space::Space;
 use crate::system::{State, System, Workspace};
+use nalgebra::Vector3;
 
 impl Recorder {
     pub(super) fn totals<S: Space>(
@@ -58,17 +59,7 @@ impl Recorder {
                 kinetic + potential - start - extra.work,
             );
         }
-        let momentum = momentum(system, ws, &state.v);
-        let [linear, angular] = spread::<S>(&momentum);
-        for (axis, x) in LETTERS[..S::LINEAR].iter().zip(&linear) {
-            let meaning = format!("linear momentum, ground {axis}");
-            self.put("momentum", axis, "kg m/s", &meaning, *x);
-        }
-        for (k, end, of) in turns::<S>() {
-            let meaning = format!("angular momentum about the origin{of}");
-            let suffix = format!("angular{end}");
-            self.put("momentum", &suffix, "kg m^2/s", &meaning, angular[k]);
-        }
+        self.momenta(system, ws, state);
         let (violation, _) = system.violation(ws);
         self.put(
             "violation",
@@ -93,5 +84,43 @@ impl Recorder {
             "largest violation of the velocity constraints, relative to the size",
             violation,
         );
+    }
+
+    /// Momentum of the machine, and where it is asked for of each body.
+    fn momenta<S: Space>(&mut self, system: &System<S>, ws: &Workspace<S>, state: &State) {
+        let about = Vector3::from(self.recording.momentum_about.unwrap_or_default());
+        let place = match self.recording.momentum_about {
+            None => "the origin".to_owned(),
+            Some([x, y, z]) => format!("({x}, {y}, {z})"),
+        };
+        let mut sum = [Vector3::zeros(); 2];
+        for (b, body) in system.bodies.iter().enumerate() {
+            let own = momentum(system, ws, &state.v, b, &about);
+            if self.recording.momentum_about.is_some() {
+                let owner = format!("{}.momentum", body.name);
+                self.momentum::<S>(&owner, &own, &place);
+            }
+            for (sum, own) in sum.iter_mut().zip(own) {
+                *sum += own;
+            }
+        }
+        self.momentum::<S>("momentum", &sum, &place);
+    }
+
+    fn momentum<S: Space>(
+        &mut self,
+        owner: &str,
+        [linear, angular]: &[Vector3<f64>; 2],
+        place: &str,
+    ) {
+        for (axis, x) in LETTERS[..S::LINEAR].iter().zip(linear) {
+            let meaning = format!("linear momentum, ground {axis}");
+            self.put(owner, axis, "kg m/s", &meaning, *x);
+        }
+        for (k, end, of) in turns::<S>() {
+            let meaning = format!("angular momentum about {place}{of}");
+            let suffix = format!("angular{end}");
+            self.put(owner, &suffix, "kg m^2/s", &meaning, angular[k]);
+        }
     }
 }

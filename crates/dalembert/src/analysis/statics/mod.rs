@@ -21,10 +21,10 @@ pub use report::{Equilibrium, StaticsReport};
 pub use stability::Stability;
 
 use super::newton::NewtonOptions;
+use super::recorder::Recording;
 use super::{AnalysisError, Assembly};
 use crate::results::Results;
 use crate::space::Space;
-use crate::space::orientation::OrientationSet;
 use crate::system::System;
 use family::connected;
 use motions::Motions;
@@ -63,8 +63,8 @@ pub struct Statics {
     pub seed: u64,
     /// Newton's options for the constraints.
     pub newton: NewtonOptions,
-    /// Coordinates in which orientations in space are written.
-    pub orientation: OrientationSet,
+    /// What is written.
+    pub recording: Recording,
 }
 
 impl Default for Statics {
@@ -76,7 +76,7 @@ impl Default for Statics {
             starts: None,
             seed: 1,
             newton: NewtonOptions::default(),
-            orientation: OrientationSet::default(),
+            recording: Recording::default(),
         }
     }
 }
@@ -115,7 +115,7 @@ impl Statics {
         let running = system.running();
         let mut problem = Problem::new(&running, self.newton);
         let mut report = self.search(system, &mut problem)?;
-        let results = record(&mut problem, &report.equilibria, self.orientation)?;
+        let results = record(&mut problem, &report.equilibria, self.recording)?;
         let notes = std::mem::replace(&mut report.results, results).notes;
         report.results.notes.extend(notes);
         Ok(report)

@@ -4,18 +4,17 @@ use super::problem::Problem;
 use super::{Equilibrium, Stability};
 use crate::analysis::AnalysisError;
 use crate::analysis::open_reactions::OpenReactions;
-use crate::analysis::recorder::{Extra, Recorder};
+use crate::analysis::recorder::{Extra, Recorder, Recording};
 use crate::results::{Channel, Results};
 use crate::space::Space;
-use crate::space::orientation::OrientationSet;
 
 /// One instant for each equilibrium.
 pub(super) fn record<S: Space>(
     problem: &mut Problem<'_, S>,
     equilibria: &[Equilibrium],
-    orientation: OrientationSet,
+    recording: Recording,
 ) -> Result<Results, AnalysisError> {
-    let mut recorder = Recorder::new(true).with_orientation(orientation);
+    let mut recorder = Recorder::new(true).writing(recording);
     let mut open = OpenReactions::default();
     let system = problem.system;
     for (k, e) in equilibria.iter().enumerate() {

@@ -96,6 +96,16 @@ impl OrientationSet {
         SetCoordinates { values, singular }
     }
 
+    /// How far an orientation is from a singular pose of the set: zero at one, one where the coordinates are at their best.
+    pub fn regularity(&self, rotation: &Rotation) -> f64 {
+        match self {
+            Self::Euler(sequence) => sequence.regularity(&sequence.angles(rotation).angles),
+            Self::Rodriguez => rotation.w.abs(),
+            Self::AxisAngle => rotation.imag().norm(),
+            Self::EulerParameters | Self::DirectionCosines => 1.0,
+        }
+    }
+
     /// The same orientation by the numbers nearest to others: Euler parameters have two signs, angles any number of
     /// turns.
     pub fn near(&self, mut values: SmallVec<[f64; 9]>, to: &[f64]) -> SmallVec<[f64; 9]> {

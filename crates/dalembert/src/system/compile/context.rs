@@ -87,6 +87,8 @@ pub(super) struct Context<'m, S: Space> {
     /// Angles that count turns by memory, and where they start.
     pub turns: Vec<TurnData<S>>,
     pub turn_start: Vec<f64>,
+    /// Those whose start is stated.
+    pub turns_stated: HashSet<usize>,
 }
 
 impl<'m, S: Geometry> Context<'m, S> {
@@ -123,6 +125,7 @@ impl<'m, S: Geometry> Context<'m, S> {
             velocity_weight: Vec::new(),
             turns: Vec::new(),
             turn_start: Vec::new(),
+            turns_stated: HashSet::new(),
         }
     }
 
@@ -256,6 +259,17 @@ impl<'m, S: Geometry> Context<'m, S> {
         owner: &str,
         path: &str,
     ) -> Option<Vector3<f64>> {
+        self.components_of(point, Quantity::Known(dim), owner, path)
+    }
+
+    /// As [`Self::vector`], for a quantity that may have any dimension.
+    pub fn components_of(
+        &mut self,
+        point: &Point,
+        quantity: Quantity,
+        owner: &str,
+        path: &str,
+    ) -> Option<Vector3<f64>> {
         if point.len() != S::LINEAR {
             self.report(
                 Diagnostic::error(
@@ -279,7 +293,7 @@ impl<'m, S: Geometry> Context<'m, S> {
         let mut out = Vector3::zeros();
         let mut whole = true;
         for (k, value) in point.iter().enumerate() {
-            match self.number(value, dim, owner, &format!("{path}[{k}]")) {
+            match self.constant(value, quantity, owner, &format!("{path}[{k}]")) {
                 Some(x) => out[k] = x,
                 None => whole = false,
             }
@@ -356,25 +370,6 @@ impl<'m, S: Geometry> Context<'m, S> {
             S::set_turn(&mut pose, self.turn_start[k]);
         }
         pose
-    }
-
-    /// Makes an angle count turns, where poses do not: from the estimate on.
-    pub fn count_turns(&mut self, m: GlobalMeasure<S>) {
-        let value = self.estimate(m);
-        self.turns.push(TurnData {
-            kind: m.kind,
-            first: m.first,
-            second: m.second,
-        });
-        self.turn_start.push(value);
-    }
-
-    /// Starts an angle that counts turns by memory on the turn that is nearest to a value.
-    pub fn start_near(&mut self, m: GlobalMeasure<S>, value: f64) {
-        let same = |t: &TurnData<S>| (t.first, t.second, t.kind) == (m.first, m.second, m.kind);
-        if let Some(k) = self.turns.iter().position(same) {
-            self.turn_start[k] = value;
-        }
     }
 
     pub fn estimate(&self, m: GlobalMeasure<S>) -> f64 {
@@ -546,6 +541,7 @@ impl<'m, S: Geometry> Context<'m, S> {
         if self.diagnostics.iter().any(Diagnostic::is_error) {
             return Err(Diagnostics(self.diagnostics));
         }
+        self.wind_alike();
         let mut drawing = self.drawing();
         let outlines = self.outlines();
         let mut system = System::new(

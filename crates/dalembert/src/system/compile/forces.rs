@@ -117,7 +117,7 @@ impl<S: Geometry> Context<'_, S> {
                 }
                 let marker = self.marker(&own, &S::frame(&at));
                 let mut markers: SmallVec<[usize; 4]> = smallvec![marker];
-                let components = self.components(value, Dim::FORCE, place, &mut markers);
+                let components = self.load_components(value, Dim::FORCE, place, &mut markers);
                 let element = PointForce {
                     components,
                     body_axes: *axes == Axes::Body,
@@ -130,7 +130,7 @@ impl<S: Geometry> Context<'_, S> {
                 let marker = self.marker(&own, &S::frame(&Vector3::zeros()));
                 let mut markers: SmallVec<[usize; 4]> = smallvec![marker];
                 let value = S::axial(value);
-                let components = self.components(value, Dim::MOMENT, place, &mut markers);
+                let components = self.load_components(value, Dim::MOMENT, place, &mut markers);
                 let element = PointForce {
                     components,
                     body_axes: *axes == Some(Axes::Body),
@@ -263,7 +263,7 @@ impl<S: Geometry> Context<'_, S> {
     }
 
     /// The components of a force or of a moment.
-    fn components(
+    fn load_components(
         &mut self,
         value: &[Value],
         dim: Dim,

@@ -17,6 +17,7 @@ mod planar;
 mod quantities;
 mod spatial;
 mod tables;
+mod turns;
 mod wrong_space;
 
 pub use drawing::{Drawing, DrawnBody, DrawnElement, DrawnEnd, DrawnForm, DrawnShape};

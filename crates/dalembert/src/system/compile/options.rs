@@ -2,6 +2,7 @@
 
 use super::context::Context;
 use super::geometry::Geometry;
+use crate::analysis::Recording;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Stabilization, Value};
 use crate::space::orientation::OrientationSet;
@@ -34,8 +35,8 @@ pub struct Options {
     pub actuators: Vec<String>,
     /// Independent coordinates chosen by the user.
     pub independent: Vec<String>,
-    /// Coordinates in which orientations in space are written.
-    pub orientation: OrientationSet,
+    /// What runs write.
+    pub recording: Recording,
 }
 
 /// Most integration steps where the model gives no number: a minute or so of a small machine, a
@@ -56,7 +57,7 @@ impl Default for Options {
             max_iterations: 50,
             actuators: Vec::new(),
             independent: Vec::new(),
-            orientation: OrientationSet::default(),
+            recording: Recording::default(),
         }
     }
 }
@@ -103,6 +104,13 @@ impl<S: Geometry> Context<'_, S> {
             );
             OrientationSet::default()
         })
+    }
+
+    /// The point about which momenta are written.
+    fn momentum_point(&mut self) -> Option<[f64; 3]> {
+        let point = self.model.output.momentum_about.as_ref()?;
+        let found = self.vector(point, Dim::LENGTH, "output", "output.momentum_about")?;
+        Some(found.into())
     }
 
     /// Resolves the options and gravity.
@@ -206,7 +214,10 @@ impl<S: Geometry> Context<'_, S> {
             max_iterations: a.max_iterations.unwrap_or(50) as usize,
             actuators: a.actuators.clone(),
             independent: a.independent.clone(),
-            orientation: self.output_orientation(),
+            recording: Recording {
+                orientation: self.output_orientation(),
+                momentum_about: self.momentum_point(),
+            },
         };
         if let Some(g) = &model.info.gravity {
             self.gravity = self

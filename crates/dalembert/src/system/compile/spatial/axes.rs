@@ -22,9 +22,16 @@ pub(super) fn with_x(z: &Vector3<f64>, x: &Vector3<f64>) -> Option<Matrix3<f64>>
 
 /// A frame with a given z axis. Its x axis is the body axis that follows the one nearest to z, as far as it lies across z:
 /// x for a joint along z, y for one along x, z for one along y. So a joint between bodies with parallel frames has the
-/// angle zero.
+/// angle zero. Of axes that are equally near the first is taken: roundings must not decide it, or the two bodies of a
+/// joint along (1, 1, 0) would disagree.
 pub(super) fn with_z(z: &Vector3<f64>) -> Option<Matrix3<f64>> {
-    let (next, _) = Axis::ALL[unit(z)?.iamax()].next_two();
+    let along = unit(z)?.abs();
+    let least = along.max() - SAME;
+    let nearest = Axis::ALL
+        .into_iter()
+        .zip(&along)
+        .find(|(_, c)| **c >= least);
+    let (next, _) = nearest?.0.next_two();
     with_x(z, &next.unit())
 }
 
@@ -46,6 +53,19 @@ mod tests {
                 frame,
                 Matrix3::from_columns(&[i.unit(), j.unit(), axis.unit()])
             );
+        }
+    }
+
+    #[test]
+    fn roundings_do_not_choose_the_frame() {
+        let whole = Vector3::new(2.0, -1.0, 2.0);
+        for k in 0..3 {
+            for sign in [-1.0, 1.0] {
+                let mut rounded = whole;
+                rounded[k] *= 1.0 + sign * 1e-15;
+                let difference = with_z(&rounded).unwrap() - with_z(&whole).unwrap();
+                assert!(difference.amax() < 1e-14, "{difference}");
+            }
         }
     }
 

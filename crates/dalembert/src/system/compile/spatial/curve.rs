@@ -17,14 +17,14 @@ struct CurveScope<'a>(ConstantScope<'a>);
 
 impl Scope for CurveScope<'_> {
     fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
-        if path == ["s"] {
+        if path == ["u"] {
             return Ok(Resolved::Slot {
                 index: 0,
                 dim: Quantity::Known(Dim::NONE),
             });
         }
         self.0.variable(path).map_err(|mut e| {
-            e.note = Some("a curve is a function of s and parameters".to_owned());
+            e.note = Some("a curve is a function of u and parameters".to_owned());
             e
         })
     }
@@ -57,7 +57,7 @@ impl Context<'_, Spatial> {
         let [x, y, z] = [(&curve.x, "x"), (&curve.y, "y"), (&curve.z, "z")]
             .map(|(value, key)| self.curve_program(value, place, key));
         let start = match start {
-            Some(value) => self.number(value, Dim::NONE, &place.owner, &place.key("s"))?,
+            Some(value) => self.number(value, Dim::NONE, &place.owner, &place.key("u"))?,
             None => 0.0,
         };
         let m = m?;

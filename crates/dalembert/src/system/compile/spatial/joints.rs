@@ -88,7 +88,8 @@ fn chain(parts: impl IntoIterator<Item = Rows>) -> Rows {
     parts.into_iter().flatten().collect()
 }
 
-/// What must be positive for a joint to be on the side that is meant: its rows hold on other sides too.
+/// What must be one for a joint to stand as it is meant: its rows also hold with opposite axes, those of [`alike`] with
+/// axes that are exchanged in a circle too.
 fn same_sense(axes: &[Axis]) -> SmallVec<[Measure<Spatial>; 1]> {
     axes.iter().map(|a| between(Dot(*a, *a))).collect()
 }
@@ -105,7 +106,7 @@ fn built(
         element: Arc::new(MeasureRows {
             markers: 2,
             rows,
-            positive: same_sense(axes),
+            alike: same_sense(axes),
         }),
         markers: SmallVec::from_slice(&markers),
         coordinates,
@@ -226,8 +227,8 @@ impl Context<'_, Spatial> {
             JointKind::PointOnCurve {
                 placement,
                 curve,
-                s,
-            } => self.point_on_curve(placement, curve, s.as_ref(), place)?,
+                u,
+            } => self.point_on_curve(placement, curve, u.as_ref(), place)?,
             JointKind::ParallelAxes { placement } => {
                 let points = self.points(placement, place, false)?;
                 let axes = self.directions(placement, &points, place, true, OfBodies)?;
@@ -486,7 +487,7 @@ impl Context<'_, Spatial> {
             element: Arc::new(MeasureRows {
                 markers: 4,
                 rows: chain([together(), smallvec![cross]]),
-                positive: SmallVec::new(),
+                alike: SmallVec::new(),
             }),
             markers,
             coordinates,

@@ -9,7 +9,7 @@ use crate::space::orientation::{
     AxisAngle, EulerParameters, EulerSequence, OrientationError, RodriguezParameters, Rotation,
     from_axes, from_matrix, from_points,
 };
-use dalembert_expr::Dim;
+use dalembert_expr::{Dim, Quantity};
 use nalgebra::{Matrix3, Vector3, Vector4};
 
 impl Context<'_, Spatial> {
@@ -70,7 +70,7 @@ impl Context<'_, Spatial> {
                 Ok(sequence.rotation(&Vector3::from(angles?)))
             }
             Orientation::AxisAngle { axis, angle } => {
-                let axis = self.numbers(axis, Dim::NONE, place, &format!("{own}.axis"));
+                let axis = self.direction_components(axis, place, &format!("{own}.axis"));
                 let angle = self.number(angle, Dim::NONE, &place.owner, &format!("{own}.angle"));
                 AxisAngle::new(axis?.into(), angle?).map(|a| a.rotation())
             }
@@ -114,7 +114,7 @@ impl Context<'_, Spatial> {
         for ((axis, given), letter) in axes.iter_mut().zip(given).zip(["x", "y", "z"]) {
             if let Some(values) = given {
                 let path = format!("{own}.{letter}");
-                let components = self.numbers(values, Dim::NONE, place, &path)?;
+                let components = self.direction_components(values, place, &path)?;
                 *axis = Some(Vector3::from(components));
             }
         }
@@ -162,6 +162,24 @@ impl Context<'_, Spatial> {
                 None
             }
         }
+    }
+
+    /// Components of a direction: of any length, so also of any dimension, like the difference of two points.
+    pub(super) fn direction_components(
+        &mut self,
+        values: &[Value; 3],
+        place: &Place,
+        path: &str,
+    ) -> Option<[f64; 3]> {
+        let [x, y, z] = [0, 1, 2].map(|k: usize| {
+            self.constant(
+                &values[k],
+                Quantity::Free,
+                &place.owner,
+                &format!("{path}[{k}]"),
+            )
+        });
+        Some([x?, y?, z?])
     }
 
     /// Numbers of one dimension; all mistakes in them are reported.

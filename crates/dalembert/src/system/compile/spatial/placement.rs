@@ -9,7 +9,7 @@ use crate::joint::SpatialMeasure;
 use crate::model::{Placement, Point};
 use crate::space::orientation::Axis;
 use crate::space::{Spatial, SpatialFrame};
-use dalembert_expr::Dim;
+use dalembert_expr::{Dim, Quantity};
 use nalgebra::{Matrix3, Vector3};
 
 /// How the second frame is turned about the joint's z axis where nobody says.
@@ -114,14 +114,14 @@ impl Context<'_, Spatial> {
         Some(bodies)
     }
 
-    /// A direction of any length; refuses one without length.
+    /// A direction of any length, so also of any dimension, like the difference of two points; refuses one without length.
     pub(super) fn direction(
         &mut self,
         given: &Point,
         place: &Place,
         key: &str,
     ) -> Option<Vector3<f64>> {
-        let d = self.vector(given, Dim::NONE, &place.owner, &place.key(key))?;
+        let d = self.components_of(given, Quantity::Free, &place.owner, &place.key(key))?;
         let found = unit(&d);
         if found.is_none() {
             self.report(

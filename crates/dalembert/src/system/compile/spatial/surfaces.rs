@@ -87,7 +87,7 @@ impl Context<'_, Spatial> {
                 let [r, z] = [(r, "r"), (z, "z")].map(|(value, name)| {
                     self.surface_program(value, &["b"], place, &format!("{key}.{name}"))
                 });
-                SurfaceShape::Revolved([r?, z?])
+                SurfaceShape::Revolved(Box::new([r?, z?]))
             }
             SurfaceForm::Expression { x, y, z } => {
                 let [x, y, z] = [(x, "x"), (y, "y"), (z, "z")].map(|(value, name)| {
@@ -99,7 +99,7 @@ impl Context<'_, Spatial> {
                     let place = |name: usize| p.slots().iter().position(|slot| *slot == name);
                     [0, 1].map(|name| place(name).unwrap_or(usize::MAX))
                 });
-                SurfaceShape::Expressions(programs, uses)
+                SurfaceShape::Expressions(Box::new(programs), uses)
             }
         };
         Some(Surface {
