@@ -7,10 +7,6 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Form of a surface in its own frame, by two parameters a and b; lengths in metres.
 #[derive(Clone, Debug)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "a machine has few surfaces, and each evaluation reads them: a box would be one more step"
-)]
 pub enum SurfaceShape {
     /// (a, b, 0); free on the side of +z.
     Plane,
