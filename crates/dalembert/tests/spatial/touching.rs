@@ -400,3 +400,19 @@ fn the_ellipsoid_stands_as_the_book_says() {
     let SpatialPose { axes, .. } = motion(&state, 0).0;
     assert!((axes - expected.to_rotation_matrix().matrix()).amax() < 1e-15);
 }
+
+/// Euler angles about axes that stay are those of the reversed sequence.
+#[test]
+fn bodies_stand_by_angles_about_space_axes() {
+    let body = |euler: &str, angles: [f64; 3], axes: &str| {
+        let orientation = json!({"euler": euler, "angles": angles, "axes": axes});
+        let body =
+            json!({"name": "b", "mass": 1, "inertia": [1, 1, 1], "orientation": orientation});
+        motion(&start(&compiled(json!({"body": [body]})).system), 0)
+            .0
+            .axes
+    };
+    let space = body("xyz", [0.3, 0.4, 0.5], "space");
+    let turned = body("zyx", [0.5, 0.4, 0.3], "body");
+    assert!((space - turned).amax() < 1e-15);
+}
