@@ -94,7 +94,7 @@ fn unknown_key() {
     );
     check(
         "[output]\nchannels = [\"a.*\"]\nzzz = 1\n",
-        &["unknown-key 5:1 section [output]: unknown key `zzz` | allowed here: `channels`"],
+        &["unknown-key 5:1 section [output]: unknown key `zzz` | allowed here: `channels`, `momentum_about`"],
     );
 }
 
@@ -131,7 +131,7 @@ fn unknown_kind() {
         "[[constraint]]\nname = \"c\"\nkind = \"coupeler\"\nzzz = 1\n",
         &[
             "missing-key 3:1 constraint \"c\": the key `terms` is missing | add `terms = ...`",
-            "unknown-kind 5:8 constraint \"c\": `kind`: there is no kind `coupeler` | did you mean `coupler`? allowed here: `fixed`, `coupler`, `expression`",
+            "unknown-kind 5:8 constraint \"c\": `kind`: there is no kind `coupeler` | did you mean `coupler`? allowed here: `fixed`, `coupler`, `expression`, `velocity`",
             "unknown-key 6:1 constraint \"c\": unknown key `zzz` | allowed here: `name`, `kind`, `terms`, `value`",
         ],
     );
@@ -151,7 +151,7 @@ fn missing_kind() {
     check(
         "[[constraint]]\nname = \"c\"\n",
         &[
-            "missing-key 3:1 constraint \"c\": the key `kind` is missing | one of `fixed`, `coupler`, `expression`",
+            "missing-key 3:1 constraint \"c\": the key `kind` is missing | one of `fixed`, `coupler`, `expression`, `velocity`",
         ],
     );
 }
