@@ -94,7 +94,9 @@ fn unknown_key() {
     );
     check(
         "[output]\nchannels = [\"a.*\"]\nzzz = 1\n",
-        &["unknown-key 5:1 section [output]: unknown key `zzz` | allowed here: `channels`, `momentum_about`"],
+        &[
+            "unknown-key 5:1 section [output]: unknown key `zzz` | allowed here: `channels`, `momentum_about`",
+        ],
     );
 }
 
