@@ -9,7 +9,7 @@ use dalembert::analysis::{
     driver_singularities, missing_mass,
 };
 use dalembert::network::{Network, TerminalGraph};
-use dalembert::space::Space;
+use dalembert::space::{Space, norm};
 use dalembert::system::State;
 
 /// Validates the model, assembles it and prints its mobility.
@@ -100,7 +100,6 @@ fn without_guess(error: AnalysisError, found: &[Conflict]) -> AnalysisError {
 
 /// A hundred times the turns of the fastest body until the end, at its speed at the start.
 fn turns<S: Space>(state: &State, end: f64) -> usize {
-    let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
     let bodies = state.v.chunks_exact(S::NV);
     let omega = bodies.fold(0.0_f64, |a, v| a.max(norm(&v[S::LINEAR..])));
     (100.0 * omega * (end - state.t) / std::f64::consts::TAU) as usize

@@ -5,7 +5,7 @@ use super::weights::Weights;
 use super::{AnalysisError, ChangedRate};
 use crate::formulation::column_scale;
 use crate::joint::RowUnit;
-use crate::space::{Space, Tuple};
+use crate::space::{Space, Tuple, norm};
 use crate::system::Phase;
 use crate::system::{State, System, Workspace};
 use std::f64::consts::PI;
@@ -118,14 +118,7 @@ impl Assembly {
         let all = system.start_velocities();
         let mut ws = Workspace::new(&all);
         let weights = Weights::new(&all, &system.velocity_weight);
-        // What is stated counts more than what is not, but not infinitely more: each pass starts from what is stated
-        // beside what the last one found for the rest.
-        for _ in 0..PASSES {
-            state_rates(system, state);
-            correct_velocities(&all, &mut ws, state, &weights);
-        }
-        // The last pass removes the rounding that a poor metric leaves.
-        correct_velocities(&all, &mut ws, state, &weights);
+        settle_velocities(&all, &mut ws, state, &weights);
         let mut left = rates_left(&all, &mut ws, state);
         // Stated rates that nothing can follow are fast as well.
         let stated = all.largest(&ws.time).0;
@@ -135,11 +128,7 @@ impl Assembly {
             let running = system.running();
             let mut ws = Workspace::new(&running);
             let weights = Weights::new(&running, &system.velocity_weight);
-            for _ in 0..PASSES {
-                state_rates(system, state);
-                correct_velocities(&running, &mut ws, state, &weights);
-            }
-            correct_velocities(&running, &mut ws, state, &weights);
+            settle_velocities(&running, &mut ws, state, &weights);
         }
         left = rates_left(&all, &mut ws, state);
         for (row, r) in left.iter().enumerate() {
@@ -191,8 +180,9 @@ fn right_sides<S: Space>(
 ) -> Result<(), AnalysisError> {
     system.update_markers(&state.q, &state.v, ws);
     let wrong = system.elements.iter().filter(|e| {
-        let markers = ws.seen(&e.markers);
-        e.element.alike().iter().any(|m| m.value(&markers) < ALIKE)
+        let alike = e.element.alike();
+        let apart = |markers: &[S::Marker]| alike.iter().any(|m| m.value(markers) < ALIKE);
+        !alike.is_empty() && apart(&ws.seen(&e.markers))
     });
     let names: Vec<String> = wrong
         .map(|e| format!("'{}' ({})", e.name, e.kind))
@@ -208,6 +198,24 @@ fn right_sides<S: Space>(
 
 /// Passes of the velocities: each leaves a ten-thousandth of what the one before left.
 const PASSES: usize = 4;
+
+/// Meets the rows of a system with the stated velocities as they are, as far as they can stay.
+///
+/// What is stated counts more than what is not, but not infinitely more: each pass starts from what is stated beside what
+/// the last one found for the rest.
+fn settle_velocities<S: Space>(
+    system: &System<S>,
+    ws: &mut Workspace<S>,
+    state: &mut State,
+    weights: &Weights,
+) {
+    for _ in 0..PASSES {
+        state_rates(system, state);
+        correct_velocities(system, ws, state, weights);
+    }
+    // The last pass removes the rounding that a poor metric leaves.
+    correct_velocities(system, ws, state, weights);
+}
 
 /// Brings stated velocities back where there are others that nobody stated.
 fn state_rates<S: Space>(system: &System<S>, state: &mut State) {
@@ -310,7 +318,6 @@ fn moved<S: Space>(system: &System<S>, from: &[f64], to: &[f64], tolerance: f64)
             let own = b * S::NQ..(b + 1) * S::NQ;
             S::difference(&from[own.clone()], &to[own], step.as_mut_slice());
             let (linear, angular) = step.as_slice().split_at(S::LINEAR);
-            let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
             Moved {
                 body: body.name.clone(),
                 distance: norm(linear),

@@ -8,7 +8,7 @@ use super::massless;
 use super::newton::NewtonOptions;
 use super::open_reactions::{OpenReactions, at_time};
 use super::pace::{Limits, Pace};
-use super::pulling::Pulling;
+use super::pulling::pulling;
 use super::recorder::{Extra, Recorder, Recording};
 use super::{AnalysisError, Assembly, AssemblyReport, Motion};
 use crate::integrate::{Dopri5, Ode, StepError};
@@ -110,7 +110,6 @@ impl Dynamics {
         let mut recorder = Recorder::new(true).writing(self.recording);
         let mut least = LeastReactions::new(&running);
         let mut open = OpenReactions::default();
-        let mut pulling = Pulling::default();
         let (mut steps, mut rejected) = (0_usize, 0_usize);
         let mut stopped = None;
         let mut drift: f64 = 0.0;
@@ -172,7 +171,6 @@ impl Dynamics {
             };
             least.settle(&running, &mut motion.ws);
             open.pose(&least.not_unique(&running), || at_time(t));
-            pulling.look(&running, &motion.ws, t);
             recorder.record(&running, &motion.ws, &state, extra);
         }
         if matches!(
@@ -183,7 +181,7 @@ impl Dynamics {
         }
         let mut results = recorder.into_results(&system.name, "simulate");
         notes.extend(open.notes());
-        notes.extend(pulling.notes());
+        notes.extend(pulling(&results));
         if stopped.is_none() && integrator.stiffness.since.is_some() {
             let fastest = motion.stiffest(integrator.t, &integrator.y);
             notes.extend(Pace::note(steps, &integrator.stiffness, fastest.as_ref()));

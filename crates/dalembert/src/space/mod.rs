@@ -21,6 +21,11 @@ use smallvec::SmallVec;
 use std::fmt::Debug;
 use std::hash::Hash;
 
+/// Euclidean length of a row of components, which neither overflows nor underflows.
+pub fn norm(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |m: f64, x| m.hypot(*x))
+}
+
 /// Name and unit of a number that says how a frame stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AttitudeLabel {

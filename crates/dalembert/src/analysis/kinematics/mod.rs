@@ -11,7 +11,7 @@ use super::least_reactions::LeastReactions;
 use super::meeting::Meeting;
 use super::newton::NewtonOptions;
 use super::open_reactions::{OpenReactions, at_time};
-use super::pulling::Pulling;
+use super::pulling::pulling;
 use super::recorder::{Extra, Recorder, Recording};
 use super::{AnalysisError, Assembly, AssemblyReport};
 use crate::results::Results;
@@ -102,7 +102,6 @@ impl Kinematics {
         let mut forces = actuated.map(Actuated::new);
         let mut least = LeastReactions::new(actuated.unwrap_or(&running));
         let mut open = OpenReactions::default();
-        let mut pulling = Pulling::default();
         let meeting = Meeting::new(&running);
         let mut stopped = None;
         for (k, &t) in self.instants.iter().enumerate() {
@@ -133,20 +132,18 @@ impl Kinematics {
                 }
                 least.settle(forces.system, &mut forces.ws);
                 open.pose(&least.not_unique(forces.system), || at_time(t));
-                pulling.look(forces.system, &forces.ws, t);
                 recorder.record(forces.system, &forces.ws, &state, Extra::default());
             } else {
                 runner.forces(&state);
                 least.settle(&running, &mut runner.ws);
                 open.pose(&least.not_unique(&running), || at_time(t));
-                pulling.look(&running, &runner.ws, t);
                 recorder.record(&running, &runner.ws, &state, Extra::default());
             }
         }
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
         notes.extend(open.notes());
-        notes.extend(pulling.notes());
+        notes.extend(pulling(&results));
         if running.nv() > DENSE {
             notes.push(format!(
                 "warning: not checked for singular poses between the instants: the machine has more than {DENSE} coordinates"

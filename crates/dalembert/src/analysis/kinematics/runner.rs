@@ -5,7 +5,7 @@ use super::watch::{Watch, scaled_jacobian};
 use crate::analysis::AnalysisError;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
-use crate::space::{Space, Tuple};
+use crate::space::{Space, Tuple, norm};
 use crate::system::{State, System, Workspace};
 use crate::words::listed;
 use nalgebra::DMatrix;
@@ -190,7 +190,6 @@ impl<'a, S: Space> Runner<'a, S> {
         let fastest = bodies
             .map(|v| {
                 let (linear, angular) = v.split_at(S::LINEAR);
-                let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
                 (norm(linear) / self.system.size).max(2.0 * norm(angular))
             })
             .fold(0.0, f64::max);

@@ -2,7 +2,7 @@
 
 use super::axis_words::axis_words;
 use crate::formulation::column_scale;
-use crate::space::{Screw, Space, Tuple};
+use crate::space::{Screw, Space, Tuple, norm};
 use crate::system::{Role, System, Workspace};
 use nalgebra::{DVector, Vector3};
 use serde::Serialize;
@@ -79,10 +79,6 @@ pub(super) fn twist<S: Space>(
         ),
         None => S::Twist::zero(),
     }
-}
-
-fn norm(x: &[f64]) -> f64 {
-    x.iter().fold(0.0_f64, |m, x| m.hypot(*x))
 }
 
 /// The bodies that move in a motion.

@@ -8,7 +8,7 @@ use crate::analysis::{AnalysisError, NewtonOptions};
 use crate::joint::{Measure, MeasureKind};
 use crate::results::Results;
 use crate::solve::rank::Svd;
-use crate::space::{Space, Tuple};
+use crate::space::{Space, Tuple, norm};
 use crate::system::{ElementData, Role, State, System};
 use crate::words::listed;
 use nalgebra::{DMatrix, DVector};
@@ -355,7 +355,6 @@ fn force<S: Space>(problem: &Problem<'_, S>, name: &str) -> Result<Direction, An
         .find(|f| f.name == name)
         .ok_or_else(|| bad("there is no force element of this name"))?;
     let wrenches = problem.wrenches(element);
-    let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
     let parts = || {
         wrenches
             .iter()

@@ -6,7 +6,7 @@ use crate::analysis::meeting::Meeting;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::weights::Weights;
 use crate::solve::RankError;
-use crate::space::{Space, Tuple};
+use crate::space::{Space, Tuple, norm};
 use crate::system::{ForceData, State, System, Workspace};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
@@ -318,7 +318,6 @@ impl<'a, S: Space> Problem<'a, S> {
 
     /// Moves of a scaled step in units of the size, and turns [rad], of every body.
     pub fn moves_and_turns(&self, step: &DVector<f64>) -> Vec<[f64; 2]> {
-        let norm = |x: &[f64]| x.iter().fold(0.0_f64, |m, x| m.hypot(*x));
         let bodies = step.as_slice()[..self.system.body_nv()].chunks_exact(S::NV);
         let parts = bodies.map(|own| own.split_at(S::LINEAR));
         parts.map(|(a, b)| [norm(a), norm(b)]).collect()

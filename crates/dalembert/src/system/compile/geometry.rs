@@ -55,6 +55,8 @@ pub(super) trait Geometry: Space {
     fn origin(frame: &Self::Frame) -> Vector3<f64>;
     /// A frame inside another, in what the other is in.
     fn compose(outer: &Self::Frame, inner: &Self::Frame) -> Self::Frame;
+    /// A point, in what a frame is in, as the frame sees it.
+    fn seen_from(frame: &Self::Frame, point: &Vector3<f64>) -> Vector3<f64>;
     /// A frame inside its body's user frame, from the centre of mass.
     fn from_center(frame: &Self::Frame, center: &Vector3<f64>) -> Self::Frame;
     /// How a frame stands.

@@ -1,58 +1,21 @@
 //! Cams.
 
 use super::super::built::Built;
-use super::super::context::{Context, text_of};
-use super::super::names::ConstantScope;
+use super::super::context::Context;
 use super::super::place::Place;
 use crate::joint::{Cam, Follower, Profile};
 use crate::model::{CamFollower, CamProfile, Value};
 use crate::space::Planar;
-use dalembert_expr::{Dim, Program, Quantity, Resolved, Scope, UnknownName};
+use dalembert_expr::{Dim, Program};
 use nalgebra::Vector2;
 use smallvec::{SmallVec, smallvec};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// The one name of a cam profile.
-struct PhiScope<'a> {
-    parameters: &'a indexmap::IndexMap<String, (f64, Quantity)>,
-    functions: &'a std::collections::HashMap<String, Arc<dyn dalembert_expr::Function>>,
-}
-
-impl Scope for PhiScope<'_> {
-    fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
-        if path == ["phi"] {
-            return Ok(Resolved::Slot {
-                index: 0,
-                dim: Quantity::Known(Dim::NONE),
-            });
-        }
-        ConstantScope {
-            parameters: self.parameters,
-            functions: self.functions,
-        }
-        .variable(path)
-        .map_err(|mut e| {
-            e.note = Some("a profile is a function of phi and parameters".to_owned());
-            e
-        })
-    }
-
-    fn function(&self, name: &str) -> Option<Arc<dyn dalembert_expr::Function>> {
-        self.functions.get(name).cloned()
-    }
-}
-
 impl Context<'_, Planar> {
     fn profile_program(&mut self, value: &Value, place: &Place, key: &str) -> Option<Program> {
-        let text = text_of(value);
-        let scope = PhiScope {
-            parameters: &self.parameters,
-            functions: &self.functions,
-        };
-        let compiled = dalembert_expr::compile(&text, &scope, Quantity::Known(Dim::LENGTH));
-        let path = place.key(&format!("profile.{key}"));
-        self.accept(compiled, &place.owner, &path)
+        let key = format!("profile.{key}");
+        self.length_program(value, &["phi"], "a profile", place, &key)
     }
 
     /// The profile of a cam.

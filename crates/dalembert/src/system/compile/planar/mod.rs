@@ -55,6 +55,10 @@ impl Geometry for Planar {
         }
     }
 
+    fn seen_from(frame: &PlanarFrame, point: &Vector3<f64>) -> Vector3<f64> {
+        rotate(-frame.angle, &(point.xy() - frame.at)).push(0.0)
+    }
+
     fn from_center(frame: &PlanarFrame, center: &Vector3<f64>) -> PlanarFrame {
         PlanarFrame {
             at: frame.at - center.xy(),

@@ -3,7 +3,7 @@
 use super::super::context::Context;
 use super::super::geometry::Direction;
 use super::super::place::Place;
-use super::rotate;
+use super::super::placement::Points;
 use crate::diagnostic::Diagnostic;
 use crate::model::Placement;
 use crate::space::{Planar, PlanarFrame};
@@ -17,55 +17,10 @@ impl Context<'_, Planar> {
         place: &Place,
         direction: Direction,
     ) -> Option<[usize; 2]> {
-        let [a, b] = [0, 1].map(|k| {
-            self.place(
-                &p.bodies[k],
-                &place.owner,
-                &place.key(&format!("bodies[{k}]")),
-            )
-        });
-        // Empty names stand for a mistake that is known already.
-        if p.bodies[0] == p.bodies[1] && !p.bodies[0].is_empty() {
-            self.report(
-                Diagnostic::error(
-                    "same-body",
-                    place.key("bodies"),
-                    format!("{}: both bodies are '{}'", place.owner, p.bodies[0]),
-                )
-                .help("name two different bodies"),
-            );
-            return None;
-        }
-        let points = match (&p.at, &p.point) {
-            (Some(at), None) => {
-                let [x, y] = [0, 1].map(|k| {
-                    self.vector(
-                        &at[k],
-                        Dim::LENGTH,
-                        &place.owner,
-                        &place.key(&format!("at[{k}]")),
-                    )
-                });
-                [self.or_origin(x).xy(), self.or_origin(y).xy()]
-            }
-            (None, Some(point)) => {
-                let point = self.vector(point, Dim::LENGTH, &place.owner, &place.key("point"));
-                let point = self.or_origin(point).xy();
-                [&a, &b].map(|body| rotate(-body.frame.angle, &(point - body.frame.at)))
-            }
-            (given, _) => {
-                let (code, text) = if given.is_some() {
-                    ("placed-twice", "both 'at' and 'point' are given")
-                } else {
-                    ("not-placed", "neither 'at' nor 'point' is given")
-                };
-                self.report(
-                    Diagnostic::error(code, &place.path, format!("{}: {text}", place.owner))
-                        .help("give at = [[x, y], [x, y]] (a point in each body's frame) or point = [x, y] (ground axes)"),
-                );
-                return None;
-            }
-        };
+        let Points {
+            bodies: [a, b],
+            at: points,
+        } = self.points(p, place, true)?;
         let angles = match (&p.angles, &p.direction) {
             (Some(angles), None) => {
                 let [x, y] = [0, 1].map(|k| {
@@ -118,7 +73,7 @@ impl Context<'_, Planar> {
             },
         };
         let [first, second] = [0, 1].map(|k| PlanarFrame {
-            at: points[k],
+            at: points[k].xy(),
             angle: angles[k],
         });
         Some([self.marker(&a, &first), self.marker(&b, &second)])

@@ -6,9 +6,10 @@
 use super::super::built::Built;
 use super::super::context::{Context, GlobalMeasure};
 use super::super::place::Place;
+use super::super::placement::Points;
 use super::ALIKE;
 use super::axes::{with_x, with_z};
-use super::placement::{Points, Zero};
+use super::placement::Zero;
 use crate::diagnostic::Diagnostic;
 use crate::joint::{
     KnifeEdge, Measure, MeasureRow, MeasureRows, MeasureTerm, RollingOnPlane, SpatialMeasure,
@@ -383,7 +384,7 @@ impl Context<'_, Spatial> {
         &mut self,
         p: &Placement,
         second: Option<&Point>,
-        points: &Points,
+        points: &Points<Spatial>,
         place: &Place,
     ) -> Option<[Vector3<f64>; 2]> {
         let of = |k: usize, d: Vector3<f64>| points.bodies[k].frame.axes.tr_mul(&d);

@@ -54,6 +54,10 @@ impl Geometry for Spatial {
         }
     }
 
+    fn seen_from(frame: &SpatialFrame, point: &Vector3<f64>) -> Vector3<f64> {
+        frame.axes.tr_mul(&(point - frame.at))
+    }
+
     fn from_center(frame: &SpatialFrame, center: &Vector3<f64>) -> SpatialFrame {
         SpatialFrame {
             at: frame.at - center,

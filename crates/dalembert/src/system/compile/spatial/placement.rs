@@ -1,15 +1,16 @@
 //! Where a joint or a force element sits on its two bodies in space.
 
-use super::super::context::{BodyPlace, Context, GlobalMeasure};
+use super::super::context::{Context, GlobalMeasure};
 use super::super::geometry::Direction;
 use super::super::place::Place;
+use super::super::placement::Points;
 use super::axes::{unit, with_x, with_z};
 use crate::diagnostic::Diagnostic;
 use crate::joint::SpatialMeasure;
 use crate::model::{Placement, Point};
 use crate::space::orientation::Axis;
 use crate::space::{Spatial, SpatialFrame};
-use dalembert_expr::{Dim, Quantity};
+use dalembert_expr::Quantity;
 use nalgebra::{Matrix3, Vector3};
 
 /// How the second frame is turned about the joint's z axis where nobody says.
@@ -19,12 +20,6 @@ pub(super) enum Zero {
     OfBodies,
     /// As the first frame is in the estimate: nothing turns about the axis, or it starts at zero.
     OfEstimate,
-}
-
-/// The two bodies of a placement, and the joint's point in the frame of each.
-pub(super) struct Points {
-    pub bodies: [BodyPlace<Spatial>; 2],
-    pub at: [Vector3<f64>; 2],
 }
 
 impl Context<'_, Spatial> {
@@ -45,7 +40,11 @@ impl Context<'_, Spatial> {
         Some(self.two_frames(&points, axes))
     }
 
-    pub(super) fn two_frames(&mut self, points: &Points, axes: [Matrix3<f64>; 2]) -> [usize; 2] {
+    pub(super) fn two_frames(
+        &mut self,
+        points: &Points<Spatial>,
+        axes: [Matrix3<f64>; 2],
+    ) -> [usize; 2] {
         [0, 1].map(|k| {
             let frame = SpatialFrame {
                 at: points.at[k],
@@ -53,65 +52,6 @@ impl Context<'_, Spatial> {
             };
             self.marker(&points.bodies[k], &frame)
         })
-    }
-
-    /// Bodies and points of a placement; where points do not matter they may be left out.
-    pub(super) fn points(&mut self, p: &Placement, place: &Place, needed: bool) -> Option<Points> {
-        let bodies = self.two_bodies(&p.bodies, place)?;
-        let at = match (&p.at, &p.point) {
-            (Some(at), None) => [0, 1].map(|k| {
-                let path = place.key(&format!("at[{k}]"));
-                let point = self.vector(&at[k], Dim::LENGTH, &place.owner, &path);
-                self.or_origin(point)
-            }),
-            (None, Some(point)) => {
-                let point = self.vector(point, Dim::LENGTH, &place.owner, &place.key("point"));
-                let point = self.or_origin(point);
-                [0, 1].map(|k: usize| {
-                    let frame = &bodies[k].frame;
-                    frame.axes.tr_mul(&(point - frame.at))
-                })
-            }
-            (None, None) if !needed => [Vector3::zeros(); 2],
-            (given, _) => {
-                let (code, text) = if given.is_some() {
-                    ("placed-twice", "both 'at' and 'point' are given")
-                } else {
-                    ("not-placed", "neither 'at' nor 'point' is given")
-                };
-                self.report(
-                    Diagnostic::error(code, &place.path, format!("{}: {text}", place.owner)).help(
-                        "give at = [[x, y, z], [x, y, z]] (a point in each body's frame) or point = [x, y, z] (ground axes)",
-                    ),
-                );
-                return None;
-            }
-        };
-        Some(Points { bodies, at })
-    }
-
-    fn two_bodies(
-        &mut self,
-        names: &[String; 2],
-        place: &Place,
-    ) -> Option<[BodyPlace<Spatial>; 2]> {
-        let bodies = [0, 1].map(|k| {
-            let path = place.key(&format!("bodies[{k}]"));
-            self.place(&names[k], &place.owner, &path)
-        });
-        // Empty names stand for a mistake that is known already.
-        if names[0] == names[1] && !names[0].is_empty() {
-            self.report(
-                Diagnostic::error(
-                    "same-body",
-                    place.key("bodies"),
-                    format!("{}: both bodies are '{}'", place.owner, names[0]),
-                )
-                .help("name two different bodies"),
-            );
-            return None;
-        }
-        Some(bodies)
     }
 
     /// A direction of any length, so also of any dimension, like the difference of two points; refuses one without length.
@@ -142,7 +82,7 @@ impl Context<'_, Spatial> {
         axis: Option<&Point>,
         axes: Option<&[Point; 2]>,
         keys: [&str; 2],
-        points: &Points,
+        points: &Points<Spatial>,
         place: &Place,
     ) -> Option<Option<[Vector3<f64>; 2]>> {
         match (axis, axes) {
@@ -179,7 +119,7 @@ impl Context<'_, Spatial> {
     pub(super) fn directions(
         &mut self,
         p: &Placement,
-        points: &Points,
+        points: &Points<Spatial>,
         place: &Place,
         needed: bool,
         zero: Zero,

@@ -1,8 +1,7 @@
 //! Surfaces that touch, and points on surfaces.
 
 use super::super::built::Built;
-use super::super::context::{Context, text_of};
-use super::super::names::ConstantScope;
+use super::super::context::Context;
 use super::super::place::Place;
 use super::placement::Zero;
 use super::touching::{Placed, Touch, is_pole, nearest_pair, nearest_point, touch};
@@ -11,56 +10,15 @@ use crate::joint::{PointOnSurface, SphereContact, SurfaceContact};
 use crate::model::{self, Placement, SurfaceForm, Value};
 use crate::space::Spatial;
 use crate::surface::{Surface, SurfaceShape};
-use dalembert_expr::{Dim, Program, Quantity, Resolved, Scope, UnknownName};
+use dalembert_expr::Dim;
 use nalgebra::Matrix3;
 use smallvec::{SmallVec, smallvec};
 use std::sync::Arc;
 
-/// The parameters of a surface by their names.
-struct SurfaceScope<'a>(ConstantScope<'a>, &'static [&'static str]);
-
-impl Scope for SurfaceScope<'_> {
-    fn variable(&self, path: &[&str]) -> Result<Resolved, UnknownName> {
-        if let [name] = path
-            && let Some(index) = self.1.iter().position(|n| n == name)
-        {
-            return Ok(Resolved::Slot {
-                index,
-                dim: Quantity::Known(Dim::NONE),
-            });
-        }
-        self.0.variable(path).map_err(|mut e| {
-            e.note = Some(format!(
-                "a surface is a function of {} and parameters",
-                self.1.join(", ")
-            ));
-            e
-        })
-    }
-
-    fn function(&self, name: &str) -> Option<Arc<dyn dalembert_expr::Function>> {
-        self.0.function(name)
-    }
-}
+/// What the expressions of a surface are, in words.
+const WHAT: &str = "a surface";
 
 impl Context<'_, Spatial> {
-    fn surface_program(
-        &mut self,
-        value: &Value,
-        names: &'static [&'static str],
-        place: &Place,
-        key: &str,
-    ) -> Option<Program> {
-        let constants = ConstantScope {
-            parameters: &self.parameters,
-            functions: &self.functions,
-        };
-        let scope = SurfaceScope(constants, names);
-        let dim = Quantity::Known(Dim::LENGTH);
-        let compiled = dalembert_expr::compile(&text_of(value), &scope, dim);
-        self.accept(compiled, &place.owner, &place.key(key))
-    }
-
     /// A surface in numbers.
     fn surface(&mut self, surface: &model::Surface, place: &Place, key: &str) -> Option<Surface> {
         let mut length = |value: &Value, name: &str| {
@@ -85,13 +43,13 @@ impl Context<'_, Spatial> {
             }
             SurfaceForm::Revolved { r, z } => {
                 let [r, z] = [(r, "r"), (z, "z")].map(|(value, name)| {
-                    self.surface_program(value, &["b"], place, &format!("{key}.{name}"))
+                    self.length_program(value, &["b"], WHAT, place, &format!("{key}.{name}"))
                 });
                 SurfaceShape::Revolved(Box::new([r?, z?]))
             }
             SurfaceForm::Expression { x, y, z } => {
                 let [x, y, z] = [(x, "x"), (y, "y"), (z, "z")].map(|(value, name)| {
-                    self.surface_program(value, &["a", "b"], place, &format!("{key}.{name}"))
+                    self.length_program(value, &["a", "b"], WHAT, place, &format!("{key}.{name}"))
                 });
                 let programs = [x?, y?, z?];
                 // A program sees only what it uses, in the order of the names.
