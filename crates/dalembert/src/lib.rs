@@ -8,6 +8,8 @@ pub mod analysis;
 pub mod diagnostic;
 pub mod force;
 pub mod formulation;
+#[doc(hidden)]
+pub mod instances;
 pub mod integrate;
 pub mod joint;
 pub mod mass;

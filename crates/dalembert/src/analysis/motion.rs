@@ -80,7 +80,7 @@ impl<'a, S: Space> Motion<'a, S> {
         }
         self.metric.factor(system, ws);
         let found = ws.solve_forces(&system.mass);
-        if system.massless && found.relative > POOR {
+        if system.massless && found.kept > POOR {
             massless::dense(system, ws)?;
         }
         if ws.a.iter().all(|x| x.is_finite()) {

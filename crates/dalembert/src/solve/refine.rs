@@ -61,6 +61,7 @@ impl Saddle {
             // Directions that hardly count are slow with the lifted factor, and fast with the plain one.
             let sweeps = self.refine(dof, Use::Plain, mass, rhs, (a, l, s), &mut found.relative);
             found.sweeps += sweeps;
+            found.kept = found.relative;
         }
         if dependent && found.relative > GOAL {
             // Rows that contradict each other drive the lifted multipliers up: then leave the vanished rows out.
@@ -77,10 +78,28 @@ impl Saddle {
             }
         }
         // Large joint forces that cancel leave more rounding than a machine of short levers.
-        Residual {
-            converged: found.relative <= ACCEPTED.max(self.rounding(l)),
-            ..found
+        found.converged = found.relative <= ACCEPTED.max(self.rounding(l));
+        if dependent && !found.converged {
+            found.kept = self.without_vanished(dof, mass, rhs, (a, l, s));
         }
+        found
+    }
+
+    /// Residual of the equations without the rows that vanished.
+    fn without_vanished<D: Size>(
+        &mut self,
+        dof: D,
+        mass: &[f64],
+        rhs: Rhs<'_>,
+        (a, l, s): (&[f64], &[f64], &[f64]),
+    ) -> f64 {
+        self.work.kept_l.copy_from_slice(&self.row_weight);
+        for &row in &self.vanished {
+            self.row_weight[row] = 0.0;
+        }
+        let kept = self.residual(dof, mass, rhs, a, l, s);
+        self.row_weight.copy_from_slice(&self.work.kept_l);
+        kept
     }
 
     /// Solves with one of the factors and refines with it.
@@ -103,6 +122,7 @@ impl Saddle {
         let sweeps = self.refine(dof, factor, mass, rhs, (a, l, s), &mut relative);
         Residual {
             relative,
+            kept: relative,
             sweeps,
             converged: relative <= ACCEPTED,
         }

@@ -19,6 +19,8 @@ pub struct Rhs<'a> {
 pub struct Residual {
     /// Largest residual over the largest term of all equations; infinite if anything is not finite.
     pub relative: f64,
+    /// The same without the rows that are reported as vanished: where they contradict the others, this stays small.
+    pub kept: f64,
     /// Corrections that were applied after the first solution.
     pub sweeps: usize,
     /// Whether the residual is below 1e-11 (the goal is 1e-13). If not, the right-hand side contradicts dependent rows:

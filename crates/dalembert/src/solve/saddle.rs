@@ -66,7 +66,7 @@ pub struct Saddle {
     pivot_ratio: Vec<f64>,
     smallest: f64,
     largest: f64,
-    vanished: Vec<usize>,
+    pub(super) vanished: Vec<usize>,
     zero: Vec<usize>,
     pub(super) work: Work,
 }

@@ -1,9 +1,7 @@
 //! Machines for tests, built without a file.
-#![allow(dead_code)]
 
 use dalembert::model::{
-    Body, Driver, DriverKind, Force, ForceKind, Info, Initial, Joint, JointKind, Model, Motion,
-    Placement, Point, Quantity,
+    Body, Force, ForceKind, Info, Initial, Joint, JointKind, Model, Placement, Point, Quantity,
 };
 
 /// A point.
@@ -75,21 +73,6 @@ pub fn slider_crank() -> Model {
             prismatic("guide", ["ground", "slider"], [0.0, 0.0], [0.0, 0.0]),
         ],
         ..Model::default()
-    }
-}
-
-/// An angle driver on a joint.
-pub fn motor(joint: &str, value: &str) -> Driver {
-    Driver {
-        name: "motor".to_owned(),
-        kind: DriverKind::Scalar {
-            quantity: Quantity::Angle {
-                joint: joint.to_owned(),
-            },
-            motion: Motion::Value {
-                value: value.into(),
-            },
-        },
     }
 }
 
