@@ -41,17 +41,17 @@ pub enum Command {
 }
 
 impl Command {
-    /// Is the answer wanted as JSON?
-    pub fn json(&self) -> bool {
+    /// The model that it works on.
+    pub fn model(&self) -> Option<&ModelArgs> {
         match self {
-            Self::Kinematics(a) | Self::Simulate(a) => a.model.json,
-            Self::Inverse(a) => a.run.model.json,
-            Self::View(a) => a.run.model.json,
-            Self::Statics(a) => a.run.model.json,
-            Self::Check(a) => a.model.json,
-            Self::Equations(a) => a.model.json,
-            Self::Network(a) => a.model.json,
-            Self::New(_) | Self::Plot(_) | Self::Schema => false,
+            Self::Kinematics(a) | Self::Simulate(a) => Some(&a.model),
+            Self::Inverse(a) => Some(&a.run.model),
+            Self::View(a) => Some(&a.run.model),
+            Self::Statics(a) => Some(&a.run.model),
+            Self::Check(a) => Some(&a.model),
+            Self::Equations(a) => Some(&a.model),
+            Self::Network(a) => Some(&a.model),
+            Self::New(_) | Self::Plot(_) | Self::Schema => None,
         }
     }
 }

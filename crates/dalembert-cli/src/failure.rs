@@ -87,6 +87,14 @@ impl Failure {
         }
     }
 
+    /// Did an analysis of a valid model fail?
+    pub fn is_of_analysis(&self) -> bool {
+        matches!(
+            self,
+            Self::Analysis(_) | Self::Stopped(_) | Self::NotAssembled { .. }
+        )
+    }
+
     /// Exit code for scripts.
     pub fn code(&self) -> u8 {
         match self {

@@ -14,6 +14,7 @@ mod failure;
 mod load;
 mod output;
 mod page;
+mod places;
 mod scene;
 mod summary;
 mod viewer;
@@ -24,7 +25,8 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let json = arguments.command.json();
+    let asked = arguments.command.model().cloned();
+    let json = asked.as_ref().is_some_and(|asked| asked.json);
     let done = match arguments.command {
         Command::New(a) => commands::new::run(&a),
         Command::Check(a) => commands::check::run(&a),
@@ -42,6 +44,11 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure.tell(json);
+            if let Some(asked) = asked.filter(|_| failure.is_of_analysis() && !json) {
+                for line in places::of_elements(&failure.to_string(), &asked.model) {
+                    eprintln!("{line}");
+                }
+            }
             ExitCode::from(failure.code())
         }
     }

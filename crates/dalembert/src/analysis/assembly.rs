@@ -1,5 +1,6 @@
 //! From a rough estimate to a consistent pose and consistent velocities.
 
+use super::aligned::align;
 use super::newton::{NewtonOptions, correct_positions, correct_velocities};
 use super::weights::Weights;
 use super::{AnalysisError, ChangedRate};
@@ -60,22 +61,34 @@ impl Assembly {
         let mut ws = Workspace::new(&positions);
         let weights = Weights::new(&positions, &system.position_weight);
         let mut trial = Vec::new();
-        let mut solve = |state: &mut State, weights: &Weights| {
-            correct_positions(
+        let mut solve = |start: &mut State, weights: &Weights| {
+            let found = correct_positions(
                 &positions,
                 &mut ws,
-                state,
+                start,
                 weights,
                 &self.newton,
                 &mut trial,
-            )
+            )?;
+            right_sides(&positions, &mut ws, start)?;
+            Ok(found)
         };
         let mut newton = solve(&mut state, &weights);
-        let even = Weights::even(&positions);
-        if let Err(first @ AnalysisError::NotAssembled { .. }) = newton {
+        if matches!(
+            newton,
+            Err(AnalysisError::NotAssembled { .. } | AnalysisError::WrongSide { .. })
+        ) {
+            let mut start = system.estimate.clone();
+            if align(&positions, &mut Workspace::new(&positions), &mut start.q)
+                && let Ok(found) = solve(&mut start, &weights)
+            {
+                (state, newton) = (start, Ok(found));
+            }
+        }
+        if matches!(newton, Err(AnalysisError::NotAssembled { .. })) {
             // A body of unknown angle turns first, but a turn reaches no farther than its arm: then everything moves
             // alike. And where bodies stand in a line, no small motion brings them nearer: then from beside it.
-            newton = Err(first);
+            let even = Weights::even(&positions);
             for attempt in 0..=ATTEMPTS {
                 if attempt == 0 && !uneven(&system.position_weight) {
                     continue;
@@ -83,14 +96,12 @@ impl Assembly {
                 let mut start = system.estimate.clone();
                 beside(system, &mut start.q, attempt);
                 if let Ok(found) = solve(&mut start, &even) {
-                    state = start;
-                    newton = Ok(found);
+                    (state, newton) = (start, Ok(found));
                     break;
                 }
             }
         }
         let newton = newton?;
-        right_sides(&positions, &mut ws, &state)?;
         report.iterations = newton.iterations;
         report.moved = moved(system, &system.estimate.q, &state.q, 1e-9);
 

@@ -40,7 +40,7 @@ pub enum AnalysisError {
     },
     /// Rows that hold for velocities only leave the positions to the way that a machine takes.
     #[error(
-        "{elements} hold velocities only (rolling, a blade): where the machine is depends on its way, which only \
+        "velocities alone are held by {elements} (rolling, a blade): where the machine is depends on its way, which only \
          simulate follows; use simulate"
     )]
     Nonholonomic {

@@ -1,6 +1,7 @@
 //! What a compiled system is asked: assembly, mobility, kinematics, dynamics, inverse dynamics,
 //! statics, equations. Each analysis is a small struct of options with a `run`.
 
+mod aligned;
 mod assembly;
 mod changed_rate;
 mod conserved;

@@ -2,6 +2,7 @@
 
 use super::AnalysisError;
 use super::weights::Weights;
+use crate::joint::RowUnit;
 use crate::space::Space;
 use crate::system::compile::Options;
 use crate::system::{State, System, Workspace};
@@ -80,7 +81,7 @@ pub(super) fn correct_positions<S: Space>(
         }
         ws.solve(&weights.blocks, &weights.zero);
         report.iterations += 1;
-        let turn = largest_turn(system, &ws.a);
+        let turn = largest_turn(system, &ws.a, system.size + 0.5 * farthest(system, ws));
         if !turn.is_finite() {
             return fail(system, ws, state, report);
         }
@@ -126,18 +127,22 @@ pub(super) fn correct_positions<S: Space>(
     Ok(report)
 }
 
-fn largest_turn<S: Space>(system: &System<S>, step: &[f64]) -> f64 {
+/// The largest residual of a length [m]: bodies far away come in steps of that size.
+fn farthest<S: Space>(system: &System<S>, ws: &Workspace<S>) -> f64 {
+    let rows = system.row_refs().iter().zip(&ws.value);
+    let lengths = rows.filter(|(row, _)| row.label.unit == RowUnit::Length);
+    lengths.fold(0.0, |most: f64, (_, c)| most.max(c.abs()))
+}
+
+/// Largest turn in a step; a way counts as one on an arm of four times `size`.
+fn largest_turn<S: Space>(system: &System<S>, step: &[f64], size: f64) -> f64 {
     let n = S::NV;
     let linear = S::LINEAR;
     let mut worst: f64 = 0.0;
     for b in 0..system.bodies.len() {
         for k in 0..n {
             let x = step[b * n + k].abs();
-            let scaled = if k < linear {
-                x / (4.0 * system.size)
-            } else {
-                x
-            };
+            let scaled = if k < linear { x / (4.0 * size) } else { x };
             // max() would drop a NaN.
             if scaled.is_nan() {
                 return scaled;

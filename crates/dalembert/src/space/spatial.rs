@@ -323,7 +323,6 @@ impl Space for Spatial {
         }
     }
 
-    // Shabana 7.105 with a central frame: -omegabar x (Ibar omegabar).
     fn set_turn(marker: &mut SpatialMarker, turn: f64) {
         marker.turn = turn;
     }
@@ -332,6 +331,7 @@ impl Space for Spatial {
         marker.turn
     }
 
+    // Shabana 7.105 with a central frame: -omegabar x (Ibar omegabar).
     fn gyroscopic(mass: &[f64], v: &[f64]) -> Vector6<f64> {
         let w = Vector3::new(v[3], v[4], v[5]);
         let inertia = Matrix3::from_fn(|i, j| mass[(3 + i) * 6 + 3 + j]);

@@ -15,6 +15,7 @@ mod ranks;
 mod rolling;
 mod rows;
 mod shapes;
+mod starts;
 #[path = "../support/mod.rs"]
 mod support;
 mod surfaces;

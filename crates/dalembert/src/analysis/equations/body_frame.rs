@@ -5,8 +5,6 @@ use crate::system::{System, Workspace};
 use nalgebra::{DMatrix, DVector};
 
 /// v = T u, a = T u' + gamma: from the velocities u of a body's own frame to those of its centre of mass.
-///
-/// Other generalized coordinates of the orientation would be one factor more in T, and their rates in gamma.
 #[derive(Clone, Debug)]
 pub(super) struct BodyFrame {
     /// T.

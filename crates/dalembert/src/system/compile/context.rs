@@ -17,6 +17,7 @@ use indexmap::IndexMap;
 use nalgebra::Vector3;
 use smallvec::SmallVec;
 use std::collections::{HashMap, HashSet};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A body or the ground, as placements need it.
@@ -249,6 +250,19 @@ impl<'m, S: Geometry> Context<'m, S> {
     ) -> Option<f64> {
         let value = value?;
         self.number(value, dim, &place.owner, &place.key(key))
+    }
+
+    /// An angle of a frame; a doubt where it looks like degrees.
+    pub fn angle(&mut self, value: &Value, place: &Place, path: &str) -> Option<f64> {
+        let x = self.number(value, Dim::NONE, &place.owner, path)?;
+        if matches!(value, Value::Number(_)) && x.abs() > TAU && x.fract() == 0.0 {
+            let said = format!("{}: the angle {x} is read as radians", place.owner);
+            self.report(
+                Diagnostic::warning("radians", path, said)
+                    .help(format!("write \"{x} deg\" for degrees, or \"{x} rad\"")),
+            );
+        }
+        Some(x)
     }
 
     /// A point or vector, of as many components as the space has; z is zero in the plane.

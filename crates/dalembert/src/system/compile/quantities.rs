@@ -5,7 +5,7 @@ use super::geometry::Geometry;
 use super::place::Place;
 use crate::diagnostic::Diagnostic;
 use crate::joint::MeasureKind;
-use crate::model::{CoordinateName, Point, Quantity};
+use crate::model::{CoordinateName, JointKind, Point, Quantity};
 use crate::space::Space;
 use dalembert_expr::Dim;
 use nalgebra::Vector3;
@@ -204,11 +204,27 @@ impl<S: Geometry> Context<'_, S> {
         if let Some(j) = self.joint_places.get(joint) {
             return Some(j.clone());
         }
-        // A joint that is in the model but could not be compiled has been reported already.
-        if self.model.joints.iter().any(|j| j.name == joint) {
+        let pairs = |kind: &JointKind| {
+            matches!(
+                kind,
+                JointKind::GearPair { .. } | JointKind::RackPair { .. }
+            )
+        };
+        if let Some(found) = self.model.joints.iter().find(|j| j.name == joint) {
+            // Pairs join coordinates of other joints. Anything else that could not be compiled has been reported already.
+            if pairs(&found.kind) {
+                let said = format!(
+                    "{owner}: '{joint}' couples other joints and has no coordinate of its own"
+                );
+                self.report(
+                    Diagnostic::error("no-coordinate", path, said)
+                        .help("name a joint between two bodies: a revolute or prismatic one"),
+                );
+            }
             return None;
         }
-        let known: Vec<&str> = self.model.joints.iter().map(|j| j.name.as_str()).collect();
+        let joints = self.model.joints.iter().filter(|j| !pairs(&j.kind));
+        let known: Vec<&str> = joints.map(|j| j.name.as_str()).collect();
         let help = super::context::suggestion(joint, &known).unwrap_or_else(|| {
             if known.is_empty() {
                 "the model has no joints".to_owned()

@@ -23,9 +23,9 @@ impl Context<'_, Planar> {
         let mass = self.mass_properties(body, place);
         let origin = self.optional_point(body.position.as_ref(), place, "position");
         let origin = self.or_origin(origin).xy();
-        let angle = self
-            .optional(body.angle.as_ref(), Dim::NONE, place, "angle")
-            .unwrap_or(0.0);
+        let given = body.angle.as_ref();
+        let angle = given.and_then(|angle| self.angle(angle, place, &place.key("angle")));
+        let angle = angle.unwrap_or(0.0);
         let velocity = match &body.velocity {
             Some(v) => self.vector(v, Dim::VELOCITY, &place.owner, &place.key("velocity")),
             None => None,

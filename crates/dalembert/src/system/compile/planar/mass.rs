@@ -151,9 +151,9 @@ impl Context<'_, Planar> {
 
     fn shape_part(&mut self, shape: &Shape, place: &Place) -> Option<MassProperties> {
         let at = self.optional_point(shape.at.as_ref(), place, "at")?.xy();
-        let angle = self
-            .optional(shape.angle.as_ref(), Dim::NONE, place, "angle")
-            .unwrap_or(0.0);
+        let given = shape.angle.as_ref();
+        let angle = given.and_then(|angle| self.angle(angle, place, &place.key("angle")));
+        let angle = angle.unwrap_or(0.0);
         let geometry = self.geometry(&shape.kind, place)?;
         let mass = match (&shape.mass, &shape.density) {
             (Some(_), Some(_)) => {

@@ -46,7 +46,8 @@ impl Context<'_, Spatial> {
                 angles,
                 axes,
             } => {
-                let angles = self.numbers(angles, Dim::NONE, place, &format!("{own}.angles"));
+                let angles = [0, 1, 2]
+                    .map(|k: usize| self.angle(&angles[k], place, &format!("{own}.angles[{k}]")));
                 let name = match axes {
                     Some(EulerAxes::Space) => format!("{euler}-space"),
                     Some(EulerAxes::Body) | None => euler.clone(),
@@ -67,11 +68,12 @@ impl Context<'_, Spatial> {
                     );
                     return None;
                 };
-                Ok(sequence.rotation(&Vector3::from(angles?)))
+                let [a, b, c] = angles;
+                Ok(sequence.rotation(&Vector3::new(a?, b?, c?)))
             }
             Orientation::AxisAngle { axis, angle } => {
                 let axis = self.direction_components(axis, place, &format!("{own}.axis"));
-                let angle = self.number(angle, Dim::NONE, &place.owner, &format!("{own}.angle"));
+                let angle = self.angle(angle, place, &format!("{own}.angle"));
                 AxisAngle::new(axis?.into(), angle?).map(|a| a.rotation())
             }
             Orientation::EulerParameters { euler_parameters } => {

@@ -65,6 +65,15 @@ impl Context<'_, Spatial> {
             self.coordinate_at(&joints[k], name, &place.owner, &path)
         });
         let (factor, a, b) = (factor?, a?, b?);
+        if a == b {
+            let said = format!("{}: both joints are '{}'", place.owner, joints[0]);
+            self.report(
+                Diagnostic::error("same-joint", place.key("joints[1]"), said).help(
+                    "name the joints of two different axes; a pair makes them move in a ratio",
+                ),
+            );
+            return None;
+        }
         let value = self.estimate(b) - factor * self.estimate(a);
         let target = TimeFunction::Constant(value);
         Some(measure_rows(
