@@ -1,6 +1,6 @@
 //! Space: seven position coordinates and six velocity coordinates a body.
 
-use super::orientation::{Axis, OrientationSet, Rotation, skew};
+use super::orientation::{Axis, OrientationSet, rotation_of, skew};
 use super::{AttitudeLabel, PoseCoordinate, Screw, Space};
 use crate::joint::SpatialMeasure;
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector6};
@@ -88,11 +88,6 @@ pub fn join(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(
         linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
     )
-}
-
-/// How a marker stands.
-fn stands(m: &SpatialMarker) -> Rotation {
-    Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m.axes))
 }
 
 impl Space for Spatial {
@@ -196,7 +191,7 @@ impl Space for Spatial {
         set: OrientationSet,
         before: Option<&[f64]>,
     ) -> SmallVec<[f64; 9]> {
-        let now = set.coordinates(&stands(m)).values;
+        let now = set.coordinates(&rotation_of(&m.axes)).values;
         match before {
             Some(before) => set.near(now, before),
             None => now,
@@ -204,7 +199,7 @@ impl Space for Spatial {
     }
 
     fn regularity(m: &SpatialMarker, set: OrientationSet) -> f64 {
-        set.regularity(&stands(m))
+        set.regularity(&rotation_of(&m.axes))
     }
 
     fn relative(first: &SpatialMarker, second: &SpatialMarker) -> SpatialMarker {
@@ -224,8 +219,7 @@ impl Space for Spatial {
             .into_iter()
             .map(|axis| SpatialMeasure::Along(axis).evaluate(first, second).into())
             .collect();
-        let seen = Rotation3::from_matrix_unchecked(first.axes.tr_mul(&second.axes));
-        let p = Rotation::from_rotation_matrix(&seen).scaled_axis();
+        let p = rotation_of(&first.axes.tr_mul(&second.axes)).scaled_axis();
         let half = 0.5 * p.norm();
         let c = if half < 1e-3 {
             // The next term is below rounding.

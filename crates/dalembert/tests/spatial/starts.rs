@@ -10,7 +10,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::{Value, json};
 
 fn rod(more: &Value) -> Value {
-    let mut rod = json!({"name": "rod", "mass": 1, "inertia": [0.01, 0.1, 0.1], "position": [0.5, 0, 0]});
+    let mut rod =
+        json!({"name": "rod", "mass": 1, "inertia": [0.01, 0.1, 0.1], "position": [0.5, 0, 0]});
     for (key, value) in more.as_object().unwrap() {
         rod[key] = value.clone();
     }

@@ -3,9 +3,9 @@
 use super::coordinates::CoordinateTerms;
 use crate::analysis::AnalysisError;
 use crate::space::Space;
-use crate::space::orientation::{EulerSequence, OrientationSet, Rotation};
+use crate::space::orientation::{EulerSequence, OrientationSet, Rotation, rotation_of};
 use crate::system::{System, Workspace};
-use nalgebra::{DMatrix, DVector, Rotation3, Vector3};
+use nalgebra::{DMatrix, DVector, Vector3};
 
 /// u = W x', u' = W x'' + w: from the rates of generalized coordinates x to the velocities u of the body frames, with the
 /// angular ones in body axes; and the conditions among the coordinates as further rows.
@@ -76,7 +76,7 @@ impl InSet {
         for (b, body) in system.bodies.iter().enumerate() {
             let (from, to) = (S::NV * b, n * b);
             let axes = S::axes(&ws.markers[markers(b)]);
-            let rotation = Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+            let rotation = rotation_of(&axes);
             let omegabar =
                 Vector3::from_column_slice(at.velocities.rows(from + linear, 3).as_slice());
             let x = set.rates(&rotation, &omegabar).ok_or_else(|| {

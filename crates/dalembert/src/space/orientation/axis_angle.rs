@@ -1,5 +1,6 @@
 //! Axis and angle.
 
+use super::cosines::direction;
 use super::{OrientationError, Rotation, skew};
 use nalgebra::{Matrix3, Matrix3x4, Unit, Vector3, Vector4};
 
@@ -18,18 +19,11 @@ impl AxisAngle {
     /// # Errors
     /// The axis has no length, or a number is not finite.
     pub fn new(axis: Vector3<f64>, angle: f64) -> Result<Self, OrientationError> {
-        if !angle.is_finite() || !axis.iter().all(|x| x.is_finite()) {
+        if !angle.is_finite() {
             return Err(OrientationError::NotFinite);
         }
-        // By the largest component first: the square of a tiny or huge axis would leave the range of numbers.
-        let largest = axis.amax();
-        if largest == 0.0 {
-            return Err(OrientationError::ZeroVector { what: "the axis" });
-        }
-        Ok(Self {
-            axis: (axis / largest).normalize(),
-            angle,
-        })
+        let axis = direction(axis, "the axis")?;
+        Ok(Self { axis, angle })
     }
 
     /// The axis and the angle in [0, pi] of an orientation; the axis is x where there is no rotation (`singular`).

@@ -85,7 +85,10 @@ pub fn triad(axis: &Vector3<f64>) -> Result<Rotation, OrientationError> {
     Ok(nearest(&Matrix3::from_columns(&[x, z.cross(&x), z])))
 }
 
-fn direction(v: Vector3<f64>, what: &'static str) -> Result<Vector3<f64>, OrientationError> {
+pub(super) fn direction(
+    v: Vector3<f64>,
+    what: &'static str,
+) -> Result<Vector3<f64>, OrientationError> {
     let largest = v.amax();
     if !v.iter().all(|x| x.is_finite()) {
         return Err(OrientationError::NotFinite);
@@ -106,5 +109,10 @@ fn nearest(matrix: &Matrix3<f64>) -> Rotation {
             a = 0.5 * (a + inverse.transpose());
         }
     }
-    Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(a))
+    rotation_of(&a)
+}
+
+/// The rotation of axes that are orthogonal to rounding; [`from_matrix`] looks whether they are.
+pub fn rotation_of(axes: &Matrix3<f64>) -> Rotation {
+    Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(*axes))
 }

@@ -17,7 +17,7 @@ mod set;
 
 pub use axis::Axis;
 pub use axis_angle::AxisAngle;
-pub use cosines::{from_axes, from_matrix, from_points, triad};
+pub use cosines::{from_axes, from_matrix, from_points, rotation_of, triad};
 pub use error::OrientationError;
 pub use euler::{EulerAngles, EulerSequence};
 pub use euler_parameters::EulerParameters;

@@ -4,10 +4,10 @@ use super::super::context::Context;
 use super::super::geometry::BodyParts;
 use super::super::place::Place;
 use crate::model::{Axes, AxialVector, Body};
-use crate::space::orientation::Rotation;
+use crate::space::orientation::rotation_of;
 use crate::space::{Spatial, SpatialFrame};
 use dalembert_expr::Dim;
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::Vector3;
 use smallvec::{SmallVec, smallvec};
 
 /// Part of the largest moment of inertia below which another is none: a thin rod that stands askew in its frame.
@@ -41,7 +41,7 @@ impl Context<'_, Spatial> {
         let arm = axes * mass.center;
         let center = origin + arm;
         let center_velocity = velocity + (axes * omegabar).cross(&arm);
-        let b = Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+        let b = rotation_of(&axes);
         let mut block = vec![0.0; 36];
         for k in 0..3 {
             block[7 * k] = mass.mass;

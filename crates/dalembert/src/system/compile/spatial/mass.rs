@@ -6,9 +6,9 @@ use crate::diagnostic::Diagnostic;
 use crate::mass::{InertiaWarning, MassProperties, mesh_properties};
 use crate::model::{Body, Inertia, Shape, ShapeKind};
 use crate::space::Spatial;
-use crate::space::orientation::Rotation;
+use crate::space::orientation::rotation_of;
 use dalembert_expr::Dim;
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 /// Relative difference of two products of inertia that counts as rounding of given digits.
 const SYMMETRIC: f64 = 1e-6;
@@ -237,7 +237,7 @@ impl Context<'_, Spatial> {
             own.mass = -own.mass;
             own.inertia = -own.inertia;
         }
-        let rotation = Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+        let rotation = rotation_of(&axes);
         Some(own.placed(&at?, &rotation))
     }
 

@@ -24,10 +24,10 @@ use crate::model::{
     Value,
 };
 use crate::signal::SignalKind;
-use crate::space::orientation::{Axis, Rotation};
+use crate::space::orientation::{Axis, Rotation, rotation_of};
 use crate::space::{Spatial, SpatialFrame};
 use dalembert_expr::Dim;
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 /// The three scalar products that vanish where two frames stand alike.
 const ALIKE: [(Axis, Axis); 3] = [(Axis::X, Axis::Y), (Axis::Y, Axis::Z), (Axis::Z, Axis::X)];
@@ -66,7 +66,7 @@ impl Geometry for Spatial {
     }
 
     fn rotation(frame: &SpatialFrame) -> Rotation {
-        Rotation::from_rotation_matrix(&Rotation3::from_matrix_unchecked(frame.axes))
+        rotation_of(&frame.axes)
     }
 
     fn direction(frame: &SpatialFrame) -> Vector3<f64> {
