@@ -10,6 +10,7 @@ mod published {
     mod adams_joints;
     mod benchmarks;
     mod mobility;
+    mod modelica;
     mod own_machines;
     mod puma;
     mod shabana_dynamics;
