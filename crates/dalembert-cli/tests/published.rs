@@ -17,6 +17,7 @@ mod published {
     mod shabana_four_bar;
     mod shabana_inverse;
     mod shabana_kinematics;
+    mod shabana_recursion;
     mod shabana_slider_crank;
     mod shabana_space;
     mod space_benchmarks;
