@@ -14,6 +14,7 @@ mod published {
     mod own_machines;
     mod puma;
     mod shabana_dynamics;
+    mod shabana_equations;
     mod shabana_four_bar;
     mod shabana_inverse;
     mod shabana_kinematics;

@@ -64,7 +64,7 @@ fn statics<S: Space>(args: &StaticsArgs, loaded: &Loaded<S>) -> Result<(), Failu
     if args.run.model.json {
         say!("{:#}", loaded.with_warnings(serde_json::json!(report)));
     } else {
-        print_report(&report, &system.coordinate_names());
+        print_report(&report, &system.position_names());
         if !written.is_empty() {
             say!("{}", summary::files(&written));
         }
