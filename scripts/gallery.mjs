@@ -50,6 +50,7 @@ const MOMENTS = {
   "robot-arm-inverse": 0.3,
   "rod-and-disk": 0.25,
   "ball-in-bowl": 0.35,
+  "bead-on-wire": 0.62,
   "ellipsoid-on-plane": 0.3,
   "rolling-coin": 0.55,
   "rolling-cylinder": 0.06,
@@ -58,6 +59,7 @@ const MOMENTS = {
   "screw-jack": 0.2,
   "slider-crank": 0.06,
   "slider-driven": 0.05,
+  "steering-rack": 0.2,
   "spatial-arm-2r": 0.3,
   "spatial-arm-3r": 0.62,
   "spatial-slider-crank": 0.05,
@@ -66,6 +68,7 @@ const MOMENTS = {
   "torque-free-top": 0.3,
   "universal-joint": 0.06,
   watt: 0.14,
+  "worm-gear": 0.3,
 };
 
 // Plots that stand beside pictures: command, channels.

@@ -15,6 +15,7 @@ mod examples {
     mod run;
     mod space;
     mod space_arms;
+    mod space_couplings;
     mod space_linkages;
     mod space_shafts;
     mod space_tops;

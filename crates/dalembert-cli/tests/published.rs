@@ -10,12 +10,15 @@ mod published {
     mod adams_joints;
     mod benchmarks;
     mod mobility;
+    mod modelica;
     mod own_machines;
     mod puma;
     mod shabana_dynamics;
+    mod shabana_equations;
     mod shabana_four_bar;
     mod shabana_inverse;
     mod shabana_kinematics;
+    mod shabana_recursion;
     mod shabana_slider_crank;
     mod shabana_space;
     mod space_benchmarks;

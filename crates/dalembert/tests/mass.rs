@@ -250,7 +250,7 @@ fn principal_axes_of_simple_and_repeated_moments() {
     }
 }
 
-/// Problem 7.24's tensor: 6 -+ 1.5 sqrt(2) and 9; Example 7.10's cannot be, and is told.
+/// Problem 7.24's tensor: 6 -+ 1.5 sqrt(2) and 9; those of Example 7.10 and problem 7.32 cannot be, and are told.
 #[test]
 fn tensors_of_the_book() {
     let tensor = |m: [[f64; 3]; 3]| MassProperties {
@@ -270,6 +270,33 @@ fn tensors_of_the_book() {
         matches!(wrong.warning(), Some(InertiaWarning::Triangle { moments })
         if (moments[0] - 0.881_966_011_250_105_2).abs() < EXACT)
     );
+    let spun = tensor([[2.0, 1.5, -1.0], [1.5, 1.8, 0.5], [-1.0, 0.5, 3.0]]);
+    assert!(matches!(
+        spun.warning(),
+        Some(InertiaWarning::Triangle { .. })
+    ));
+    for (tensor, digits) in [
+        (p24, [3.878_679_656_440_358_5, 8.121_320_343_559_642, 9.0]),
+        (flat, [10.0, 25.0, 35.0]),
+        (wrong, [0.881_966_011_250_105_2, 2.0, 3.118_033_988_749_895]),
+        (
+            spun,
+            [
+                0.022_025_044_627_078_178,
+                3.022_215_989_169_5,
+                3.755_758_966_203_421_4,
+            ],
+        ),
+    ] {
+        let found = tensor.principal();
+        let expected = Vector3::from(digits);
+        assert!(
+            (found.moments - expected).amax() < EXACT * expected.amax(),
+            "{} for {expected}",
+            found.moments
+        );
+        assert!((found.axes.determinant() - 1.0).abs() < EXACT);
+    }
     let negative = tensor([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -0.1]]);
     assert!(matches!(
         negative.warning(),

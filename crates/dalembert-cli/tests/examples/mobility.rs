@@ -3,8 +3,10 @@
 use super::run::{answer, models};
 
 /// Model, coordinates, independent rows, mobility by counting.
-const MOBILITY: [(&str, i64, i64, i64); 48] = [
+const MOBILITY: [(&str, i64, i64, i64); 52] = [
     ("ball-in-bowl", 6, 1, 5),
+    // The curve parameter is a coordinate too; the bead may turn.
+    ("bead-on-wire", 7, 3, 4),
     ("bicycle-wheel-gyroscope", 12, 9, 3),
     ("bracket-pendulum", 6, 5, 1),
     // Six hinges in a ring: counting says that it cannot move.
@@ -53,11 +55,15 @@ const MOBILITY: [(&str, i64, i64, i64); 48] = [
     ("spatial-arm-3r", 24, 21, 3),
     ("spatial-slider-crank", 18, 17, 1),
     ("spring-damper-four-bar", 9, 8, 1),
+    // A bushing is no joint.
+    ("springy-beam", 6, 0, 6),
+    ("steering-rack", 24, 23, 1),
     ("stewart-platform-forward", 78, 72, 6),
     ("stewart-platform-inverse", 78, 72, 6),
     ("torque-free-top", 6, 0, 6),
     ("universal-joint", 12, 11, 1),
     ("watt", 9, 8, 1),
+    ("worm-gear", 12, 11, 1),
 ];
 
 #[test]

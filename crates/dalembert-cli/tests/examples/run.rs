@@ -152,10 +152,15 @@ pub fn close(what: &str, found: f64, expected: f64, tolerance: f64) {
 
 /// Runs `dalembert COMMAND examples/MODEL.toml --json OPTIONS` and reads what it prints.
 pub fn answer(command: &str, model: &str, options: &[&str]) -> serde_json::Value {
+    let text = said(command, model, &[&["--json"], options].concat());
+    serde_json::from_str(&text).expect("JSON")
+}
+
+/// What `dalembert COMMAND examples/MODEL.toml OPTIONS` prints.
+pub fn said(command: &str, model: &str, options: &[&str]) -> String {
     let answer = Command::new(env!("CARGO_BIN_EXE_dalembert"))
         .arg(command)
         .arg(example(model))
-        .arg("--json")
         .args(options)
         .output()
         .expect("the program starts");
@@ -164,7 +169,7 @@ pub fn answer(command: &str, model: &str, options: &[&str]) -> serde_json::Value
         "{command} {model}\n{}",
         String::from_utf8_lossy(&answer.stderr)
     );
-    serde_json::from_slice(&answer.stdout).expect("JSON")
+    String::from_utf8(answer.stdout).expect("text")
 }
 
 /// Names of the gallery's models.

@@ -133,6 +133,11 @@ pub fn answer_about(command: &str, file: &Path, options: &str) -> serde_json::Va
     serde_json::from_str(&text).expect("the answer is JSON")
 }
 
+/// What the program prints for people.
+pub fn told(command: &str, model: &str, options: &str) -> String {
+    succeeded(command, &model_file(model), &arguments(options))
+}
+
 /// What the program says where it must fail.
 pub fn refused(command: &str, model: &str, options: &str) -> String {
     let output = run(command, &model_file(model), &arguments(options));

@@ -63,12 +63,17 @@ impl Run {
         }
     }
 
+    /// Channels that must be zero at an instant, to an absolute tolerance.
+    pub fn zero_at(&mut self, time: f64, owner: &str, suffixes: &[&str], tolerance: f64) {
+        for suffix in suffixes {
+            self.near(time, &format!("{owner}.{suffix}"), 0.0, tolerance);
+        }
+    }
+
     /// Channels that must stay zero at every instant, to an absolute tolerance.
     pub fn zero(&mut self, owner: &str, suffixes: &[&str], tolerance: f64) {
-        for suffix in suffixes {
-            for time in self.channel("time").to_vec() {
-                self.near(time, &format!("{owner}.{suffix}"), 0.0, tolerance);
-            }
+        for time in self.channel("time").to_vec() {
+            self.zero_at(time, owner, suffixes, tolerance);
         }
     }
 }

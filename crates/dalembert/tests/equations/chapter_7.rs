@@ -8,9 +8,9 @@ use dalembert::system::compile::compile;
 use dalembert::system::{State, System};
 use nalgebra::Vector3;
 
-const ZXZ: OrientationSet = OrientationSet::Euler(EulerSequence::ZXZ);
+pub const ZXZ: OrientationSet = OrientationSet::Euler(EulerSequence::ZXZ);
 
-fn system(mut parts: Value) -> System<Spatial> {
+pub fn system(mut parts: Value) -> System<Spatial> {
     let gravity = parts
         .as_object_mut()
         .and_then(|map| map.remove("gravity"))
@@ -22,15 +22,15 @@ fn system(mut parts: Value) -> System<Spatial> {
 }
 
 /// A frame by its origin and its angles about z, x, z, with their rates.
-struct Frame {
-    at: [f64; 3],
-    angles: [f64; 3],
-    velocity: [f64; 3],
-    rates: [f64; 3],
+pub struct Frame {
+    pub at: [f64; 3],
+    pub angles: [f64; 3],
+    pub velocity: [f64; 3],
+    pub rates: [f64; 3],
 }
 
 /// The state of bodies whose frames move so.
-fn state(system: &System<Spatial>, frames: &[Frame]) -> State {
+pub fn state(system: &System<Spatial>, frames: &[Frame]) -> State {
     let mut state = State::default();
     for (frame, body) in frames.iter().zip(&system.bodies) {
         let angles = Vector3::from(frame.angles);
@@ -60,7 +60,7 @@ fn in_set(set: OrientationSet) -> Equations {
     }
 }
 
-fn written(system: &System<Spatial>, state: &State, set: OrientationSet) -> EquationsReport {
+pub fn written(system: &System<Spatial>, state: &State, set: OrientationSet) -> EquationsReport {
     in_set(set).run(system, state).unwrap()
 }
 
@@ -483,9 +483,8 @@ fn joints_with_axes_in_euler_angles() {
     );
 }
 
-/// Example 7.12, the manipulator with two revolute joints, in Euler angles and multipliers.
-#[test]
-fn example_7_12() {
+/// The manipulator of Example 7.12 and its state.
+pub fn manipulator() -> (System<Spatial>, State) {
     let half = std::f64::consts::FRAC_PI_2;
     let system = system(json!({
         "gravity": [0, -9.81, 0],
@@ -529,6 +528,13 @@ fn example_7_12() {
             },
         ],
     );
+    (system, state)
+}
+
+/// Example 7.12, the manipulator with two revolute joints, in Euler angles and multipliers.
+#[test]
+fn example_7_12() {
+    let (system, state) = manipulator();
     let report = written(&system, &state, ZXZ);
     let a = &report.accelerations.unwrap().values;
     let first = [

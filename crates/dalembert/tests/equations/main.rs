@@ -6,6 +6,7 @@ mod chapter_4;
 mod chapter_5;
 mod chapter_6;
 mod chapter_7;
+mod chapter_7_problems;
 #[path = "../support/mod.rs"]
 mod support;
 

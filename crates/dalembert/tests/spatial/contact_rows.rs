@@ -232,8 +232,16 @@ fn surfaces_that_touch() {
         [Shape::Sphere(0.4), Shape::Torus(0.6, 0.2)],
         [Shape::Odd, Shape::Field],
     ];
+    // Every pair of the round ones, in both orders.
+    let round = [
+        Shape::Cylinder(0.3),
+        Shape::Cone(0.5, 0.9),
+        Shape::Torus(0.6, 0.2),
+        Shape::Revolved,
+    ];
+    let among = round.map(|one| round.map(|two| [one, two])).concat();
     let flags = [[false; 2], [true, false], [false, true]];
-    for shapes in pairs {
+    for shapes in pairs.into_iter().chain(among) {
         for inside in flags {
             for held in [None, Some((1, 0.35)), Some((2, -0.2))] {
                 let element = SurfaceContact {

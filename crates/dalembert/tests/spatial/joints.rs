@@ -1,10 +1,11 @@
 //! Rows of every joint against dual numbers.
 
 use super::check::{check, check_at, random_state};
-use super::machine::{Machine, Spot, placed, system};
+use super::machine::{Machine, Spot, evaluated, placed, system};
 use super::motion::CATALOGUE;
 use super::rows::{Both, Curve, Pair, Sum, What};
-use super::{Random, SEED};
+use super::{Random, SEED, near};
+use dalembert::system::State;
 use nalgebra::{Rotation3, Vector3};
 use serde_json::{Value, json};
 use std::f64::consts::{PI, TAU};
@@ -123,6 +124,57 @@ fn points_on_curves() {
             &json!({"joint": [joint("J", "point-on-curve", bodies)]}),
             &Curve(spots(bodies)),
         );
+    }
+}
+
+/// A curve through points: the rows of splines against differences of their values along a motion.
+#[test]
+fn points_on_splines() {
+    // Knots that no step of the differences crosses.
+    let knots = [-3.0, -2.0, -1.1, 1.2, 2.1, 3.0];
+    let values = [
+        [0.2, -0.4, 0.1, 0.5, 0.3, -0.2],
+        [-0.3, 0.1, 0.4, -0.2, 0.2, 0.6],
+    ];
+    for (interpolation, exact) in [("cubic", 1e-9), ("quintic", 1e-9)] {
+        let table = |name: &str, y: [f64; 6]| json!({"name": name, "interpolation": interpolation, "x": knots, "y": y.map(|y| format!("{y} m"))});
+        for bodies in BODIES {
+            let mut wire = joint("J", "point-on-curve", bodies);
+            wire["curve"] = json!({"x": "wx(u)", "y": "wy(u)", "z": "0.3 m * u"});
+            let system = system(&json!({
+                "table": [table("wx", values[0]), table("wy", values[1])],
+                "joint": [wire]
+            }));
+            let mut source = Random::new(SEED);
+            for _ in 0..5 {
+                let state = random_state(&system, &mut source);
+                let ws = evaluated(&system, &state);
+                let name = format!("{interpolation} wire between {bodies:?}");
+                let along = |v: &[f64], s: f64| {
+                    let mut q = state.q.clone();
+                    system.advance(&mut q, s, v);
+                    evaluated(&system, &State { q, ..state.clone() }).value
+                };
+                // Differences of fourth order.
+                const H: f64 = 5e-3;
+                let stencil = |v: &[f64], weights: [f64; 5]| -> Vec<f64> {
+                    let steps = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| along(v, k * H));
+                    let row = |r: usize| (0..5).map(|k| weights[k] * steps[k][r]).sum::<f64>();
+                    (0..system.rows).map(row).collect()
+                };
+                let jacobian = system.dense_jacobian(&ws);
+                for k in 0..system.nv() {
+                    let mut v = vec![0.0; system.nv()];
+                    v[k] = 1.0;
+                    let slope = stencil(&v, [1.0, -8.0, 0.0, 8.0, -1.0].map(|w| w / (12.0 * H)));
+                    let what = format!("{name}: C_q column {k}");
+                    near(&what, jacobian.column(k).as_slice(), &slope, exact);
+                }
+                let weights = [-1.0, 16.0, -30.0, 16.0, -1.0].map(|w| -w / (12.0 * H * H));
+                let bend = stencil(&state.v, weights);
+                near(&format!("{name}: Q_d"), &ws.qd, &bend, exact);
+            }
+        }
     }
 }
 

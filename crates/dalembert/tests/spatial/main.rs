@@ -24,6 +24,7 @@ mod traps;
 mod turns;
 mod twins;
 mod velocity_rows;
+mod written;
 
 use support::{Random, near};
 

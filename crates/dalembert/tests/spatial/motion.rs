@@ -59,7 +59,7 @@ pub fn rank(matrix: &DMatrix<f64>) -> usize {
 }
 
 /// Columns: a basis of the null space, by complement of the row space.
-fn null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+pub fn null_space(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let square = matrix.transpose() * matrix;
     let eigen = square.symmetric_eigen();
     let largest = eigen.eigenvalues.amax();
