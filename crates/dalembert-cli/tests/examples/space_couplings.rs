@@ -197,7 +197,7 @@ fn printed_poses_in_space() {
         })
         .collect();
     let names: Vec<&str> = values.iter().map(|v| v.0).collect();
-    let expected = ["x", "y", "z", "e0", "e1", "e2", "e3"].map(|n| format!("weight.{n}"));
+    let expected = ["x", "y", "z", "b0", "b1", "b2", "b3"].map(|n| format!("weight.{n}"));
     assert_eq!(names, expected);
     let norm: f64 = values[3..].iter().map(|v| v.1 * v.1).sum();
     close("norm", norm, 1.0, 1e-5);

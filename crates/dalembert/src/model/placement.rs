@@ -34,7 +34,7 @@ pub struct Placement {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axes: Option<[Point; 2]>,
     /// Direction of the joint's x axis in ground axes at the initial estimate: there the joint's angle is zero; its part
-    /// across the z axis counts; default any direction (spatial).
+    /// across the z axis counts; default: zero between bodies with parallel frames (spatial).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub x_axis: Option<Point>,
     /// Direction of the joint's x axis in each body's frame: where the two agree the joint's angle is zero (spatial).

@@ -97,7 +97,7 @@ impl Space for Spatial {
     const ANGULAR: &'static [usize] = &[0, 1, 2];
     const TURN: f64 = 0.5;
     const GYROSCOPIC: bool = true;
-    const POSITION_NAMES: &'static [&'static str] = &["x", "y", "z", "e0", "e1", "e2", "e3"];
+    const POSITION_NAMES: &'static [&'static str] = &["x", "y", "z", "b0", "b1", "b2", "b3"];
     const VELOCITY_NAMES: &'static [&'static str] = &[
         "x",
         "y",

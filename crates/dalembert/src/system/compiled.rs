@@ -624,7 +624,7 @@ impl<S: Space> System<S> {
         self.names(S::VELOCITY_NAMES)
     }
 
-    /// Names of the position coordinates in the user's words: those of the velocities, but "body.e0" in space.
+    /// Names of the position coordinates in the user's words: those of the velocities, but "body.b0" in space.
     pub fn position_names(&self) -> Vec<String> {
         self.names(S::POSITION_NAMES)
     }

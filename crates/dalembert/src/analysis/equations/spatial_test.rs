@@ -145,7 +145,7 @@ fn terms_in_a_frame_of_the_user() {
     let pose = Spatial::pose(&report.positions.values);
     assert!((pose.point - frame.point).amax() < 1e-15);
     assert!((pose.axes - frame.axes).amax() < 1e-15);
-    assert_eq!(report.positions.rows[3], "rock.e0");
+    assert_eq!(report.positions.rows[3], "rock.b0");
     assert_eq!(report.velocities.rows[3], "rock.turn about x");
     let text = report.to_text();
     for words in [

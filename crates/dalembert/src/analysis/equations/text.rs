@@ -54,7 +54,7 @@ impl EquationsReport {
             let positions = [("q", Some(&self.positions))];
             table(
                 &mut out,
-                "Positions (e0 to e3: Euler parameters)",
+                "Positions (b0 to b3: Euler parameters)",
                 &positions,
             );
         }
