@@ -131,7 +131,8 @@ impl<'a, S: Space> Motion<'a, S> {
         step: f64,
         cause: Option<AnalysisError>,
     ) -> AnalysisError {
-        if let Some(met @ AnalysisError::NoDirection { .. }) = cause {
+        if let Some(met @ (AnalysisError::NoDirection { .. } | AnalysisError::Lost { .. })) = cause
+        {
             return met;
         }
         let state = self.state(integrator.t, &integrator.y);

@@ -1,8 +1,8 @@
 //! Rows that are weighted sums of measures: most joints, drivers, couplers, gears, racks.
 
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, MeasureKind, RowLabel, RowUnit,
-    TimeFunction,
+    ConstraintElement, ConstraintInput, ConstraintOutput, Guarded, Measure, MeasureKind, RowLabel,
+    RowUnit, TimeFunction,
 };
 use crate::space::{Planar, Space, Tuple};
 use smallvec::SmallVec;
@@ -125,6 +125,13 @@ impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
         measures
             .filter(|m| m.kind == S::Measure::DISTANCE)
             .collect()
+    }
+
+    fn guarded(&self, markers: &[S::Marker], see: &mut dyn FnMut(Guarded)) {
+        let terms = self.rows.iter().flat_map(|row| &row.terms);
+        terms
+            .filter_map(|term| term.measure.guarded(markers))
+            .for_each(see);
     }
 
     fn alike(&self) -> &[Measure<S>] {

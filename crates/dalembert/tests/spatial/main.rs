@@ -1,8 +1,10 @@
 //! Spatial bodies, markers, measures and the joint catalogue against dual numbers; joints as machines.
 
 mod bodies;
+mod bushing;
 mod check;
 mod contact_rows;
+mod guards;
 mod joint_equations;
 mod joints;
 mod machine;
