@@ -34,8 +34,14 @@ pub struct MeasureRows<S: Space = Planar> {
     pub markers: usize,
     /// The rows.
     pub rows: SmallVec<[MeasureRow<S>; 2]>,
-    /// Cosines that are one in the pose that is meant.
-    pub alike: SmallVec<[Measure<S>; 1]>,
+    /// Sums of cosines that are one in the pose that is meant.
+    pub alike: SmallVec<[SmallVec<[MeasureTerm<S>; 1]>; 1]>,
+}
+
+/// Value of a weighted sum of measures.
+fn sum<S: Space>(terms: &[MeasureTerm<S>], markers: &[S::Marker]) -> f64 {
+    let value = |term: &MeasureTerm<S>| term.factor * term.measure.value(markers);
+    terms.iter().map(value).sum()
 }
 
 impl<S: Space> MeasureRow<S> {
@@ -72,10 +78,7 @@ impl<S: Space> MeasureRow<S> {
 
     /// Value of the sum of measures.
     pub fn sum(&self, markers: &[S::Marker]) -> f64 {
-        self.terms
-            .iter()
-            .map(|term| term.factor * term.measure.value(markers))
-            .sum()
+        sum(&self.terms, markers)
     }
 
     fn unit(&self) -> RowUnit {
@@ -134,8 +137,9 @@ impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
             .for_each(see);
     }
 
-    fn alike(&self) -> &[Measure<S>] {
-        &self.alike
+    fn alike(&self, markers: &[S::Marker]) -> f64 {
+        let sums = self.alike.iter().map(|terms| sum(terms, markers));
+        sums.fold(1.0, f64::min)
     }
 
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {

@@ -125,9 +125,10 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     }
     /// Shows the vectors that must not vanish, at a state of its markers.
     fn guarded(&self, _markers: &[S::Marker], _see: &mut dyn FnMut(Guarded)) {}
-    /// Cosines that are one where the element stands as it is meant: its rows may also hold where they are zero or negative.
-    fn alike(&self) -> &[Measure<S>] {
-        &[]
+    /// The least of the sums of cosines that are one where the element stands as it is meant; its rows may also hold where
+    /// one of them is zero or negative.
+    fn alike(&self, _markers: &[S::Marker]) -> f64 {
+        1.0
     }
     /// The force of a contact whose rows have these multipliers; none for other elements.
     fn contact(
