@@ -4,6 +4,7 @@ mod bodies;
 mod bushing;
 mod check;
 mod contact_rows;
+mod families;
 mod guards;
 mod joint_equations;
 mod joints;
