@@ -68,28 +68,33 @@ impl<S: Space> Guards<S> {
         self.find(system, ws, t, |g| g.vanishes_within(horizon))
     }
 
-    /// The first vector that went through zero since the last state; keeps those of this one.
-    pub fn step(&mut self, system: &System<S>, ws: &Workspace<S>, t: f64) -> Option<AnalysisError> {
-        let (mut at, mut found) = (0, None);
-        let last = &mut self.last;
+    /// The first vector that went through zero since the last state.
+    pub fn reversed(&self, system: &System<S>, ws: &Workspace<S>, t: f64) -> Option<AnalysisError> {
+        let mut last = self.last.iter();
+        let mut found = None;
         for owner in &self.owners {
             let markers = ws.seen(markers(system, *owner));
             show(system, *owner, &markers, &mut |g| {
-                let now = g.vector;
-                match last.get_mut(at) {
-                    Some(before) => {
-                        let (a, b) = (before.norm(), now.norm());
-                        if a < LONG && b < LONG && before.dot(&now) < REVERSED * a * b {
-                            found.get_or_insert((*owner, g.lost));
-                        }
-                        *before = now;
-                    }
-                    None => last.push(now),
+                let Some(before) = last.next() else {
+                    return;
+                };
+                let (a, b) = (before.norm(), g.vector.norm());
+                if a < LONG && b < LONG && before.dot(&g.vector) < REVERSED * a * b {
+                    found.get_or_insert((*owner, g.lost));
                 }
-                at += 1;
             });
         }
         found.map(|(owner, lost)| error(system, owner, lost, t))
+    }
+
+    /// Keeps the vectors of a state as those of the last one.
+    pub fn keep(&mut self, system: &System<S>, ws: &Workspace<S>) {
+        let (owners, last) = (&self.owners, &mut self.last);
+        last.clear();
+        for owner in owners {
+            let markers = ws.seen(markers(system, *owner));
+            show(system, *owner, &markers, &mut |g| last.push(g.vector));
+        }
     }
 
     fn find(

@@ -104,7 +104,22 @@ impl<S: Space> Meeting<S> {
                 return Err(of_force(system, *number, t));
             }
         }
-        self.guards.step(system, ws, t).map_or(Ok(()), Err)
+        let reversed = self.reversed(system, ws, t);
+        self.guards.keep(system, ws);
+        reversed
+    }
+
+    /// Refuses a state between which and the last one a vector went through zero.
+    ///
+    /// # Errors
+    /// [`AnalysisError::Lost`].
+    pub fn reversed(
+        &self,
+        system: &System<S>,
+        ws: &Workspace<S>,
+        t: f64,
+    ) -> Result<(), AnalysisError> {
+        self.guards.reversed(system, ws, t).map_or(Ok(()), Err)
     }
 
     /// The constraint whose points meet within a time after a state, or the element that loses a direction, if there is

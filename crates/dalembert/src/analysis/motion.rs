@@ -261,6 +261,8 @@ impl<S: Space> Ode for Motion<'_, S> {
         let (q, v) = y[..nq + nv].split_at_mut(nq);
         let ws = &mut self.ws;
         system.update_active_markers(q, v, ws);
+        // The projection could bring a pose back to the side that it left.
+        self.meeting.reversed(system, ws, t)?;
         system.evaluate_positions(t, ws);
         let (mut violation, _) = system.violation(ws);
         self.drift = violation;
