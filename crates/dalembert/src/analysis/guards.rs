@@ -5,6 +5,7 @@ use crate::joint::{Guarded, Lost};
 use crate::space::Space;
 use crate::system::{System, Workspace};
 use nalgebra::Vector3;
+use smallvec::SmallVec;
 use std::marker::PhantomData;
 
 /// Cosine of the turn of a vector in one step below which it went through zero: no step that followed it turns it so far.
@@ -73,7 +74,7 @@ impl<S: Space> Guards<S> {
         let mut last = self.last.iter();
         let mut found = None;
         for owner in &self.owners {
-            let markers = ws.seen(markers(system, *owner));
+            let markers = seen(system, ws, *owner);
             show(system, *owner, &markers, &mut |g| {
                 let Some(before) = last.next() else {
                     return;
@@ -92,7 +93,7 @@ impl<S: Space> Guards<S> {
         let (owners, last) = (&self.owners, &mut self.last);
         last.clear();
         for owner in owners {
-            let markers = ws.seen(markers(system, *owner));
+            let markers = seen(system, ws, *owner);
             show(system, *owner, &markers, &mut |g| last.push(g.vector));
         }
     }
@@ -106,7 +107,7 @@ impl<S: Space> Guards<S> {
     ) -> Option<AnalysisError> {
         self.owners.iter().find_map(|owner| {
             let mut lost = None;
-            let markers = ws.seen(markers(system, *owner));
+            let markers = seen(system, ws, *owner);
             show(system, *owner, &markers, &mut |g| {
                 if is(&g) {
                     lost.get_or_insert(g.lost);
@@ -115,6 +116,12 @@ impl<S: Space> Guards<S> {
             lost.map(|lost| error(system, *owner, lost, t))
         })
     }
+}
+
+/// The markers of an element; steps of a run must not allocate.
+fn seen<S: Space>(system: &System<S>, ws: &Workspace<S>, owner: Owner) -> SmallVec<[S::Marker; 4]> {
+    let numbers = markers(system, owner).iter();
+    numbers.map(|&m| ws.markers[m]).collect()
 }
 
 /// Numbers of the markers of an element.
