@@ -7,6 +7,7 @@ use dalembert::results::Results;
 use dalembert::space::Space;
 use dalembert::space::orientation::{OrientationSet, Rotation};
 use dalembert::system::compile::{DrawnEnd, DrawnForm, DrawnShape};
+use dalembert::words::listed;
 use dalembert_io::animation::{
     self, AnimatedBody, AnimatedChannel, AnimatedTrace, Animation, Form, Joint, JointEnd, Load,
     Shape, Spring, SpringEnd,
@@ -84,12 +85,16 @@ pub fn animation<S: Space>(
             at: end.at,
         });
     }
-    animation.channels = results
-        .channels
-        .iter()
-        .skip(1)
-        .map(AnimatedChannel::from)
-        .collect();
+    // The page draws whole curves only.
+    let (gaps, whole): (Vec<_>, Vec<_>) = results.channels.iter().skip(1).partition(|c| c.gaps);
+    animation.channels = whole.into_iter().map(AnimatedChannel::from).collect();
+    if !gaps.is_empty() {
+        let names: Vec<&str> = gaps.iter().map(|c| c.name.as_str()).collect();
+        animation.notes.push(format!(
+            "not drawn, as they have no value at some instants: {}",
+            listed(&names)
+        ));
+    }
     animation
 }
 
@@ -113,15 +118,34 @@ fn orientations(results: &Results, body: &str, set: Option<OrientationSet>) -> V
     };
     let columns: Vec<&[f64]> = set.names().iter().map(|name| of(name)).collect();
     let instants = columns.first().map_or(0, |c| c.len());
-    let mut last = Rotation::identity();
-    (0..instants)
+    let known: Vec<Option<Rotation>> = (0..instants)
         .map(|k| {
             let numbers: Vec<f64> = columns.iter().map(|c| c[k]).collect();
-            // A set that is infinite at a half turn says nothing there: the picture waits for an instant.
-            last = set.rotation(&numbers).unwrap_or(last);
-            last
+            set.rotation(&numbers).ok()
         })
-        .collect()
+        .collect();
+    filled(values(results, "time"), &known)
+}
+
+/// Poses at instants, those that a set of coordinates leaves open between their neighbours.
+fn filled(time: &[f64], known: &[Option<Rotation>]) -> Vec<Rotation> {
+    let at = |k: usize| known[k].map(|r| (time.get(k).copied().unwrap_or(k as f64), r));
+    let between = |k: usize| {
+        let before = (0..k).rev().find_map(at);
+        let after = (k + 1..known.len()).find_map(at);
+        match (before, after) {
+            (Some((t0, from)), Some((t1, to))) => {
+                let t = time.get(k).copied().unwrap_or(k as f64);
+                // None where both are half a turn apart: every way is as short then.
+                from.try_slerp(&to, (t - t0) / (t1 - t0), 0.0)
+                    .unwrap_or(from)
+            }
+            (Some((_, only)), None) | (None, Some((_, only))) => only,
+            (None, None) => Rotation::identity(),
+        }
+    };
+    let pose = |(k, r): (usize, &Option<Rotation>)| r.unwrap_or_else(|| between(k));
+    known.iter().enumerate().map(pose).collect()
 }
 
 fn joint_end(e: &DrawnEnd) -> JointEnd {

@@ -95,7 +95,12 @@ pub fn table(results: &Results) -> String {
             high - low <= 1e-10 * largest(c)
         };
         rows.retain(|c| !(place(c) && stays(c)));
-        rows.sort_by_key(|c| place(c));
+        // Who asks for the inverse problem asks for efforts.
+        let effort = |c: &Channel| {
+            results.analysis == "inverse"
+                && (c.name.ends_with(".force") || c.name.ends_with(".moment"))
+        };
+        rows.sort_by_key(|c| (!effort(c), place(c)));
         rows.truncate(MOST_ROWS);
     }
     let shown = rows.len();

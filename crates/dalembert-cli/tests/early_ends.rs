@@ -280,3 +280,51 @@ fn options_without_use_are_refused() {
         assert!(ended.err.contains(&expected), "{}", ended.err);
     }
 }
+
+/// Rodriguez parameters are infinite at half a turn: the run keeps everything else, and says so.
+#[test]
+fn coordinates_that_are_infinite_leave_gaps() {
+    let model = r#"
+[model]
+name = "half turn"
+space = "spatial"
+gravity = [0, 0, 0]
+[[body]]
+name = "b"
+mass = 1
+inertia = [1, 2, 3]
+orientation = { euler_parameters = [0, 1, 0, 0] }
+angular_velocity = [1, 0, 0]
+[analysis]
+end = 1
+step = 0.5
+[output]
+orientation = "rodriguez"
+"#;
+    let folder = folder("half-turn");
+    let file = folder.join("model.toml");
+    std::fs::write(&file, model).unwrap();
+    for name in ["r.csv", "j.json", "n.npz"] {
+        let results = folder.join(name);
+        let page = folder.join("page.html");
+        let path = |p: &PathBuf| p.to_str().unwrap().to_owned();
+        let run = dalembert(&["simulate", &path(&file), "--out", &path(&results)]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert!(run.out.contains("singular in rodriguez"), "{}", run.out);
+        let read = dalembert_io::result_file::read(&results).unwrap();
+        let g = &read.channel("b.g1").unwrap().values;
+        assert!(
+            g[0].is_nan() && g[1].is_finite() && g[2].is_finite(),
+            "{g:?}"
+        );
+        // tan of half the turn, half a radian and a radian beyond half a turn.
+        assert!((g[2] + 1.0 / 0.5_f64.tan()).abs() < 1e-6, "{g:?}");
+        let svg = folder.join("g.svg");
+        let plot = dalembert(&["plot", &path(&results), "b.g1", "--out", &path(&svg)]);
+        assert_eq!(plot.code, 0, "{}", plot.err);
+        let view = dalembert(&["view", &path(&file), "--html", &path(&page)]);
+        assert_eq!(view.code, 0, "{}", view.err);
+    }
+    let csv = std::fs::read_to_string(folder.join("r.csv")).unwrap();
+    assert!(csv.lines().nth(1).unwrap().contains(",,"), "{csv}");
+}

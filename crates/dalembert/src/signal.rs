@@ -1,6 +1,6 @@
 //! Inputs of expressions: time, and values and rates of measures between markers.
 
-use crate::joint::Measure;
+use crate::joint::{Guarded, Measure};
 use crate::space::{Planar, Space};
 use dalembert_expr::Program;
 
@@ -28,6 +28,14 @@ pub struct Signal<S: Space = Planar> {
 }
 
 impl<S: Space> Signal<S> {
+    /// The vector of its measure that must not vanish.
+    pub fn guarded(&self, markers: &[S::Marker]) -> Option<Guarded> {
+        match self.kind {
+            SignalKind::Time => None,
+            SignalKind::Value | SignalKind::Rate => self.measure.guarded(markers),
+        }
+    }
+
     /// Its value at a state.
     pub fn read(&self, t: f64, markers: &[S::Marker]) -> f64 {
         match self.kind {
@@ -74,6 +82,17 @@ impl<S: Space> Coefficient<S> {
             Self::Constant(value) => *value,
             Self::Expression(program, inputs) => read(program, inputs, t, markers),
             Self::Negated(program, inputs) => -read(program, inputs, t, markers),
+        }
+    }
+
+    /// Shows the vectors of its inputs that must not vanish.
+    pub fn guarded(&self, markers: &[S::Marker], see: &mut dyn FnMut(Guarded)) {
+        match self {
+            Self::Constant(_) => {}
+            Self::Expression(_, inputs) | Self::Negated(_, inputs) => inputs
+                .iter()
+                .filter_map(|signal| signal.guarded(markers))
+                .for_each(see),
         }
     }
 

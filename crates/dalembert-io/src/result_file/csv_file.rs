@@ -1,4 +1,4 @@
-//! CSV result files (RFC 4180): a header `time [s],crank.angle [rad]`, then one row an instant.
+//! CSV result files (RFC 4180): a header `time [s],crank.angle [rad]`, then one row an instant; an empty field is a gap.
 
 use super::document::Document;
 use super::{Meta, ReadError, WriteError, atomic, number, sidecar};
@@ -43,6 +43,11 @@ pub(super) fn read(path: &Path) -> Result<(Results, Meta), ReadError> {
     let mut record = csv::StringRecord::new();
     while reader.read_record(&mut record).map_err(failed)? {
         for ((field, channel), column) in record.iter().zip(&mut channels).zip(&header) {
+            if field.trim().is_empty() {
+                channel.values.push(f64::NAN);
+                channel.gaps = true;
+                continue;
+            }
             let value = field.trim().parse().map_err(|_| ReadError::NotANumber {
                 path: path.to_owned(),
                 line: record.position().map_or(0, csv::Position::line),

@@ -61,7 +61,8 @@ pub(super) fn check(results: &Results) -> Result<(), Defect> {
                 expected,
             });
         }
-        if let Some(index) = channel.values.iter().position(|v| !v.is_finite()) {
+        let bad = |v: &f64| !(v.is_finite() || channel.gaps && v.is_nan());
+        if let Some(index) = channel.values.iter().position(bad) {
             return Err(Defect::ChannelNotFinite {
                 name: name(),
                 index,

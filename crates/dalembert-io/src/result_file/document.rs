@@ -3,7 +3,7 @@
 use super::Meta;
 use dalembert::results::{Channel, Results};
 use indexmap::IndexMap;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::borrow::Cow;
 
 /// Format tag of a JSON result file.
@@ -36,7 +36,17 @@ pub(super) struct Entry<'a> {
     pub unit: Cow<'a, str>,
     pub meaning: Cow<'a, str>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "values")]
     pub values: Option<Cow<'a, [f64]>>,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub gaps: bool,
+}
+
+/// Reads values; null, which JSON has instead of NaN, is a gap.
+fn values<'de, 'a, D: Deserializer<'de>>(from: D) -> Result<Option<Cow<'a, [f64]>>, D::Error> {
+    let read: Option<Vec<Option<f64>>> = Option::deserialize(from)?;
+    let number = |x: Option<f64>| x.unwrap_or(f64::NAN);
+    Ok(read.map(|list| list.into_iter().map(number).collect()))
 }
 
 impl<'a> Document<'a> {
@@ -59,6 +69,7 @@ impl<'a> Document<'a> {
             unit: Cow::Borrowed(c.unit.as_str()),
             meaning: Cow::Borrowed(c.meaning.as_str()),
             values: values.then_some(Cow::Borrowed(c.values.as_slice())),
+            gaps: c.gaps,
         };
         Self {
             format: Cow::Borrowed(format),

@@ -72,6 +72,7 @@ pub(super) fn read(path: &Path) -> Result<(Results, Meta), ReadError> {
             unit: entry.unit.into_owned(),
             meaning: entry.meaning.into_owned(),
             values: values.into_owned(),
+            gaps: entry.gaps,
         });
     }
     let results = Results {

@@ -72,6 +72,11 @@ pub(super) fn read(path: &Path) -> Result<(Results, Meta), ReadError> {
     if let Some(document) = text.as_deref().and_then(sidecar::parse) {
         sidecar::describe(&document, &mut results, false);
         meta = document.meta();
+    } else {
+        // Nobody says which channels may have gaps.
+        for channel in &mut results.channels {
+            channel.gaps = channel.values.iter().any(|x| x.is_nan());
+        }
     }
     Ok((results, meta))
 }

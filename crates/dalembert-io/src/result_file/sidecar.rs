@@ -55,6 +55,7 @@ pub(super) fn describe(document: &Document, results: &mut Results, has_units: bo
         if let Some(entry) = known.filter(|e| !has_units || e.unit == channel.unit) {
             channel.unit = entry.unit.clone().into_owned();
             channel.meaning = entry.meaning.clone().into_owned();
+            channel.gaps |= entry.gaps;
         }
     }
 }

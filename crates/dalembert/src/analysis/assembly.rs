@@ -190,11 +190,8 @@ fn right_sides<S: Space>(
     state: &State,
 ) -> Result<(), AnalysisError> {
     system.update_markers(&state.q, &state.v, ws);
-    let wrong = system.elements.iter().filter(|e| {
-        let alike = e.element.alike();
-        let apart = |markers: &[S::Marker]| alike.iter().any(|m| m.value(markers) < ALIKE);
-        !alike.is_empty() && apart(&ws.seen(&e.markers))
-    });
+    let wrong = system.elements.iter();
+    let wrong = wrong.filter(|e| e.element.alike(&ws.seen(&e.markers)) < ALIKE);
     let names: Vec<String> = wrong
         .map(|e| format!("'{}' ({})", e.name, e.kind))
         .collect();

@@ -1,5 +1,6 @@
 //! Why an analysis could not be done.
 
+use crate::joint::Lost;
 use crate::solve::RankError;
 use crate::words::{counted, readable};
 use thiserror::Error;
@@ -167,6 +168,16 @@ pub enum AnalysisError {
         time: f64,
         /// What to do.
         remedy: &'static str,
+    },
+    /// A vector vanished from which an element takes a direction or an angle.
+    #[error("at t = {time:.6} s {element} {lost}; {}", lost.remedy())]
+    Lost {
+        /// The element in words.
+        element: String,
+        /// Time [s].
+        time: f64,
+        /// What it lost.
+        lost: Lost,
     },
     /// No static equilibrium was found.
     #[error(

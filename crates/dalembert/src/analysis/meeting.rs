@@ -1,6 +1,8 @@
-//! Points whose distance must not become zero: a direction is taken from one to the other.
+//! Points whose distance must not become zero, as a direction is taken from one to the other; and other vectors that must
+//! not vanish.
 
 use super::AnalysisError;
+use super::guards::Guards;
 use crate::joint::Measure;
 use crate::space::{Space, spread};
 use crate::system::{State, System, Workspace};
@@ -15,7 +17,7 @@ const FORCE: f64 = 1e-12;
 /// Distance from the way between two states at which the points of a force met in between.
 const PASSED: f64 = 1e-9;
 
-/// The elements of a system that act along the line between two points.
+/// The elements of a system that act along the line between two points, or take a direction from other vectors.
 #[derive(Clone, Debug)]
 pub(super) struct Meeting<S: Space> {
     /// Elements and their pairs of markers.
@@ -23,6 +25,7 @@ pub(super) struct Meeting<S: Space> {
     forces: Vec<(usize, [usize; 2])>,
     /// From the first to the second point of each force at the last state.
     last: Vec<Vector3<f64>>,
+    guards: Guards<S>,
     space: PhantomData<S>,
 }
 
@@ -37,6 +40,7 @@ impl<S: Space> Meeting<S> {
             constraints: Vec::new(),
             forces: Vec::new(),
             last: Vec::new(),
+            guards: Guards::new(system),
             space: PhantomData,
         };
         for (k, e) in system.elements.iter().enumerate() {
@@ -50,10 +54,10 @@ impl<S: Space> Meeting<S> {
         found
     }
 
-    /// Refuses a state at which points have met; the workspace holds its markers.
+    /// Refuses a state at which points have met or a direction is lost; the workspace holds its markers.
     ///
     /// # Errors
-    /// [`AnalysisError::NoDirection`].
+    /// [`AnalysisError::NoDirection`], [`AnalysisError::Lost`].
     pub fn check(
         &self,
         system: &System<S>,
@@ -70,14 +74,14 @@ impl<S: Space> Meeting<S> {
                 return Err(of_force(system, *number, t));
             }
         }
-        Ok(())
+        self.guards.vanished(system, ws, t).map_or(Ok(()), Err)
     }
 
-    /// Refuses a step between whose ends the points of a force have passed each other; keeps the
-    /// markers of the workspace as those of the last state.
+    /// Refuses a step between whose ends the points of a force have passed each other, or another vector went through
+    /// zero; keeps the markers of the workspace as those of the last state.
     ///
     /// # Errors
-    /// [`AnalysisError::NoDirection`].
+    /// [`AnalysisError::NoDirection`], [`AnalysisError::Lost`].
     pub fn step(
         &mut self,
         system: &System<S>,
@@ -100,11 +104,26 @@ impl<S: Space> Meeting<S> {
                 return Err(of_force(system, *number, t));
             }
         }
-        Ok(())
+        let reversed = self.reversed(system, ws, t);
+        self.guards.keep(system, ws);
+        reversed
     }
 
-    /// The constraint whose points meet within a time after a state, if there is one: why the way of
-    /// a machine ends there.
+    /// Refuses a state between which and the last one a vector went through zero.
+    ///
+    /// # Errors
+    /// [`AnalysisError::Lost`].
+    pub fn reversed(
+        &self,
+        system: &System<S>,
+        ws: &Workspace<S>,
+        t: f64,
+    ) -> Result<(), AnalysisError> {
+        self.guards.reversed(system, ws, t).map_or(Ok(()), Err)
+    }
+
+    /// The constraint whose points meet within a time after a state, or the element that loses a direction, if there is
+    /// one: why the way of a machine ends there.
     pub fn ahead(
         &self,
         system: &System<S>,
@@ -112,9 +131,6 @@ impl<S: Space> Meeting<S> {
         state: &State,
         horizon: f64,
     ) -> Option<AnalysisError> {
-        if self.constraints.is_empty() {
-            return None;
-        }
         system.update_markers(&state.q, &state.v, ws);
         let found = self.constraints.iter().find(|(_, pair)| {
             let d = between(ws, *pair);
@@ -122,7 +138,9 @@ impl<S: Space> Meeting<S> {
             let approach = -d.dot(&(b - a)) / d.norm();
             d.norm() <= CONSTRAINT * system.size || d.norm() <= approach * horizon
         });
-        found.map(|(number, _)| of_constraint(system, *number, state.t))
+        found
+            .map(|(number, _)| of_constraint(system, *number, state.t))
+            .or_else(|| self.guards.ahead(system, ws, state.t, horizon))
     }
 }
 

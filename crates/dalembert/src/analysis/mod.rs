@@ -9,6 +9,7 @@ mod contradiction;
 mod dynamics;
 pub mod equations;
 mod error;
+mod guards;
 mod inverse;
 mod kinematics;
 mod least_reactions;

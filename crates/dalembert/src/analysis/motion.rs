@@ -131,7 +131,8 @@ impl<'a, S: Space> Motion<'a, S> {
         step: f64,
         cause: Option<AnalysisError>,
     ) -> AnalysisError {
-        if let Some(met @ AnalysisError::NoDirection { .. }) = cause {
+        if let Some(met @ (AnalysisError::NoDirection { .. } | AnalysisError::Lost { .. })) = cause
+        {
             return met;
         }
         let state = self.state(integrator.t, &integrator.y);
@@ -260,6 +261,8 @@ impl<S: Space> Ode for Motion<'_, S> {
         let (q, v) = y[..nq + nv].split_at_mut(nq);
         let ws = &mut self.ws;
         system.update_active_markers(q, v, ws);
+        // The projection could bring a pose back to the side that it left.
+        self.meeting.reversed(system, ws, t)?;
         system.evaluate_positions(t, ws);
         let (mut violation, _) = system.violation(ws);
         self.drift = violation;

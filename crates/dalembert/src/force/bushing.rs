@@ -1,6 +1,7 @@
 //! Bushings.
 
 use super::{ForceChannel, ForceElement, ForceReport};
+use crate::joint::Guarded;
 use crate::space::{PoseCoordinate, Space, Tuple, spread};
 use nalgebra::DMatrix;
 use smallvec::SmallVec;
@@ -43,6 +44,16 @@ impl<S: Space> ForceElement<S> for Bushing<S> {
         for (force, c) in self.forces(&pose).iter().zip(&pose) {
             out[0].add_scaled(*force, &c.first);
             out[1].add_scaled(*force, &c.second);
+        }
+    }
+
+    /// Only a bushing that the turn twists has something to lose.
+    fn guarded(&self, markers: &[S::Marker], see: &mut dyn FnMut(Guarded)) {
+        let turns = |m: &DMatrix<f64>| m.columns_range(S::LINEAR..).iter().any(|x| *x != 0.0);
+        if turns(&self.stiffness) || turns(&self.damping) {
+            S::turn_guard(&markers[0], &markers[1])
+                .into_iter()
+                .for_each(see);
         }
     }
 

@@ -1,7 +1,7 @@
 //! Force elements along a scalar measure: springs, dampers, actuators.
 
 use super::{ForceChannel, ForceElement, ForceReport};
-use crate::joint::{Measure, MeasureKind};
+use crate::joint::{Guarded, Measure, MeasureKind};
 use crate::signal::Coefficient;
 use crate::space::{Planar, Space, Tuple};
 use smallvec::smallvec;
@@ -49,6 +49,16 @@ impl<S: Space> ForceElement<S> for MeasureForce<S> {
     fn distances(&self) -> Vec<Measure<S>> {
         let distance = self.measure.kind == S::Measure::DISTANCE;
         distance.then_some(self.measure).into_iter().collect()
+    }
+
+    fn guarded(&self, markers: &[S::Marker], see: &mut dyn FnMut(Guarded)) {
+        self.measure
+            .guarded(markers)
+            .into_iter()
+            .for_each(&mut *see);
+        for c in [&self.stiffness, &self.damping, &self.free, &self.actuator] {
+            c.guarded(markers, see);
+        }
     }
 
     fn pulls_at_zero(&self, t: f64, markers: &[S::Marker]) -> bool {

@@ -10,7 +10,7 @@ pub use measure_force::MeasureForce;
 pub use point_force::PointForce;
 pub use point_gravity::PointGravity;
 
-use crate::joint::Measure;
+use crate::joint::{Guarded, Measure};
 use crate::space::Space;
 use smallvec::SmallVec;
 use std::fmt::Debug;
@@ -50,6 +50,8 @@ pub trait ForceElement<S: Space>: Debug + Send + Sync {
     fn distances(&self) -> Vec<Measure<S>> {
         Vec::new()
     }
+    /// Shows the vectors that must not vanish, at a state of its markers.
+    fn guarded(&self, _markers: &[S::Marker], _see: &mut dyn FnMut(Guarded)) {}
     /// Does it exert a force along its distance where that is zero, so that the force has no
     /// direction?
     fn pulls_at_zero(&self, _t: f64, _markers: &[S::Marker]) -> bool {

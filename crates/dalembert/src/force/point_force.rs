@@ -1,6 +1,7 @@
 //! A force or a moment on one body.
 
 use super::{ForceChannel, ForceElement, ForceReport};
+use crate::joint::Guarded;
 use crate::signal::Coefficient;
 use crate::space::{Space, Tuple, gather};
 use nalgebra::Vector3;
@@ -42,6 +43,12 @@ impl<S: Space> ForceElement<S> for PointForce<S> {
 
     fn terminals(&self) -> usize {
         1
+    }
+
+    fn guarded(&self, markers: &[S::Marker], see: &mut dyn FnMut(Guarded)) {
+        for c in &self.components {
+            c.guarded(markers, see);
+        }
     }
 
     fn jump(&self) -> Option<&str> {

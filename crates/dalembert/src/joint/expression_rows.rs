@@ -1,7 +1,8 @@
 //! User constraints: an expression of time and of positions stays zero.
 
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, MeasureKind, RowLabel, RowUnit,
+    ConstraintElement, ConstraintInput, ConstraintOutput, Guarded, Measure, MeasureKind, RowLabel,
+    RowUnit,
 };
 use crate::signal::{MAX_INPUTS, Signal, SignalKind};
 use crate::space::{Planar, Space, Tuple};
@@ -33,6 +34,13 @@ impl<S: Space> ConstraintElement<S> for ExpressionRows<S> {
         measures
             .filter(|m| m.kind == S::Measure::DISTANCE)
             .collect()
+    }
+
+    fn guarded(&self, markers: &[S::Marker], see: &mut dyn FnMut(Guarded)) {
+        let inputs = self.inputs.iter();
+        inputs
+            .filter_map(|signal| signal.guarded(markers))
+            .for_each(see);
     }
 
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {

@@ -1,5 +1,6 @@
 //! Scalar measures between two markers: what joints, drivers and force elements are made of.
 
+use super::Guarded;
 use crate::space::{Planar, PoseCoordinate, Space};
 use nalgebra::Vector3;
 use std::fmt::Debug;
@@ -15,6 +16,10 @@ pub trait MeasureKind<S: Space>: Copy + Debug + Eq + Hash + Send + Sync + 'stati
     fn is_length(self) -> bool;
     /// Value alone.
     fn value(self, a: &S::Marker, b: &S::Marker) -> f64;
+    /// The vector that it takes an angle from, where that can vanish.
+    fn guarded(self, _a: &S::Marker, _b: &S::Marker) -> Option<Guarded> {
+        None
+    }
     /// Value, rate, gradients and bias.
     fn evaluate(self, a: &S::Marker, b: &S::Marker) -> Measured<S::Twist>;
 }
@@ -60,6 +65,12 @@ impl<S: Space> Measure<S> {
     /// Value between markers of the element that owns the measure.
     pub fn value(&self, markers: &[S::Marker]) -> f64 {
         self.kind.value(&markers[self.first], &markers[self.second])
+    }
+
+    /// The vector between markers of the element that owns the measure which must not vanish.
+    pub fn guarded(&self, markers: &[S::Marker]) -> Option<Guarded> {
+        self.kind
+            .guarded(&markers[self.first], &markers[self.second])
     }
 
     /// Value and derivatives between markers of the element that owns the measure.

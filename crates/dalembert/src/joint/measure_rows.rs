@@ -1,8 +1,8 @@
 //! Rows that are weighted sums of measures: most joints, drivers, couplers, gears, racks.
 
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, Measure, MeasureKind, RowLabel, RowUnit,
-    TimeFunction,
+    ConstraintElement, ConstraintInput, ConstraintOutput, Guarded, Measure, MeasureKind, RowLabel,
+    RowUnit, TimeFunction,
 };
 use crate::space::{Planar, Space, Tuple};
 use smallvec::SmallVec;
@@ -34,8 +34,14 @@ pub struct MeasureRows<S: Space = Planar> {
     pub markers: usize,
     /// The rows.
     pub rows: SmallVec<[MeasureRow<S>; 2]>,
-    /// Cosines that are one in the pose that is meant.
-    pub alike: SmallVec<[Measure<S>; 1]>,
+    /// Sums of cosines that are one in the pose that is meant.
+    pub alike: SmallVec<[SmallVec<[MeasureTerm<S>; 1]>; 1]>,
+}
+
+/// Value of a weighted sum of measures.
+fn sum<S: Space>(terms: &[MeasureTerm<S>], markers: &[S::Marker]) -> f64 {
+    let value = |term: &MeasureTerm<S>| term.factor * term.measure.value(markers);
+    terms.iter().map(value).sum()
 }
 
 impl<S: Space> MeasureRow<S> {
@@ -72,10 +78,7 @@ impl<S: Space> MeasureRow<S> {
 
     /// Value of the sum of measures.
     pub fn sum(&self, markers: &[S::Marker]) -> f64 {
-        self.terms
-            .iter()
-            .map(|term| term.factor * term.measure.value(markers))
-            .sum()
+        sum(&self.terms, markers)
     }
 
     fn unit(&self) -> RowUnit {
@@ -127,8 +130,16 @@ impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
             .collect()
     }
 
-    fn alike(&self) -> &[Measure<S>] {
-        &self.alike
+    fn guarded(&self, markers: &[S::Marker], see: &mut dyn FnMut(Guarded)) {
+        let terms = self.rows.iter().flat_map(|row| &row.terms);
+        terms
+            .filter_map(|term| term.measure.guarded(markers))
+            .for_each(see);
+    }
+
+    fn alike(&self, markers: &[S::Marker]) -> f64 {
+        let sums = self.alike.iter().map(|terms| sum(terms, markers));
+        sums.fold(1.0, f64::min)
     }
 
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {

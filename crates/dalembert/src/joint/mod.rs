@@ -8,6 +8,7 @@
 mod cam;
 mod contact_force;
 mod expression_rows;
+mod guarded;
 mod knife_edge;
 mod measure;
 mod measure_rows;
@@ -25,6 +26,7 @@ mod velocity_rows;
 pub use cam::{Cam, Follower, Profile};
 pub use contact_force::ContactForce;
 pub use expression_rows::ExpressionRows;
+pub use guarded::{Guarded, Lost};
 pub use knife_edge::KnifeEdge;
 pub use measure::{Measure, MeasureKind, Measured};
 pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
@@ -121,9 +123,12 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     fn distances(&self) -> Vec<Measure<S>> {
         Vec::new()
     }
-    /// Cosines that are one where the element stands as it is meant: its rows may also hold where they are zero or negative.
-    fn alike(&self) -> &[Measure<S>] {
-        &[]
+    /// Shows the vectors that must not vanish, at a state of its markers.
+    fn guarded(&self, _markers: &[S::Marker], _see: &mut dyn FnMut(Guarded)) {}
+    /// The least of the sums of cosines that are one where the element stands as it is meant; its rows may also hold where
+    /// one of them is zero or negative.
+    fn alike(&self, _markers: &[S::Marker]) -> f64 {
+        1.0
     }
     /// The force of a contact whose rows have these multipliers; none for other elements.
     fn contact(

@@ -1,7 +1,9 @@
 //! Rolling without slipping on a plane: discs, wheels, balls.
 
-use super::{ConstraintElement, ConstraintInput, ConstraintOutput, RowLabel, RowUnit};
-use crate::space::{Spatial, join};
+use super::{
+    ConstraintElement, ConstraintInput, ConstraintOutput, Guarded, Lost, RowLabel, RowUnit,
+};
+use crate::space::{Spatial, SpatialMarker, join};
 use nalgebra::Vector3;
 use std::ops::Range;
 
@@ -64,6 +66,23 @@ impl RollingOnPlane {
 }
 
 impl ConstraintElement<Spatial> for RollingOnPlane {
+    /// n x a, the sine of the tilt: where it vanishes u has no direction. A ball has no rim.
+    fn guarded(&self, markers: &[SpatialMarker], see: &mut dyn FnMut(Guarded)) {
+        if self.radius == 0.0 {
+            return;
+        }
+        let [n, a] = [0, 1].map(|k| {
+            let m = &markers[k];
+            turning(m.axes.column(2).into_owned(), &m.omega)
+        });
+        see(Guarded {
+            vector: n.value.cross(&a.value),
+            rate: n.rate.cross(&a.value) + n.value.cross(&a.rate),
+            limit: Guarded::DIGITS,
+            lost: Lost::Contact,
+        });
+    }
+
     fn labels(&self) -> Vec<RowLabel> {
         ["contact", "no slip along x", "no slip along y"]
             .map(|text| RowLabel {

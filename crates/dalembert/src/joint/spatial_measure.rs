@@ -1,6 +1,6 @@
 //! Scalar measures between two markers of space: the primitives of which joints are made (Shabana 7.10).
 
-use super::{MeasureKind, Measured};
+use super::{Guarded, Lost, MeasureKind, Measured};
 use crate::space::orientation::Axis;
 use crate::space::{Spatial, SpatialMarker, join};
 use nalgebra::{Vector3, Vector6};
@@ -171,6 +171,22 @@ impl MeasureKind<Spatial> for SpatialMeasure {
 
     fn value(self, a: &SpatialMarker, b: &SpatialMarker) -> f64 {
         self.evaluate(a, b).value
+    }
+
+    /// Angle: the projection of f_i, in the axes of the first marker.
+    fn guarded(self, a: &SpatialMarker, b: &SpatialMarker) -> Option<Guarded> {
+        let Self::Angle(axis) = self else {
+            return None;
+        };
+        let (i, j) = axis.next_two();
+        let x = Product::new(a, i, b, i);
+        let y = Product::new(a, j, b, i);
+        Some(Guarded {
+            vector: Vector3::new(x.value, y.value, 0.0),
+            rate: Vector3::new(x.rate, y.rate, 0.0),
+            limit: Guarded::DIGITS,
+            lost: Lost::Angle,
+        })
     }
 
     fn evaluate(self, a: &SpatialMarker, b: &SpatialMarker) -> Measured<Vector6<f64>> {

@@ -13,4 +13,7 @@ pub struct Channel {
     pub meaning: String,
     /// One value per instant.
     pub values: Vec<f64>,
+    /// May it have no value at an instant? NaN then stands there.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub gaps: bool,
 }

@@ -14,7 +14,7 @@ pub use screw::Screw;
 pub use spatial::{Spatial, SpatialFrame, SpatialMarker, SpatialPose, join};
 pub use tuple::Tuple;
 
-use crate::joint::MeasureKind;
+use crate::joint::{Guarded, MeasureKind};
 use nalgebra::{Matrix3, Vector3};
 use orientation::OrientationSet;
 use smallvec::SmallVec;
@@ -141,6 +141,11 @@ pub trait Space: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
         first: &Self::Marker,
         second: &Self::Marker,
     ) -> SmallVec<[PoseCoordinate<Self::Twist>; 6]>;
+    /// A vector that vanishes where the rotation vector of the second marker in the axes of the first changes its sign, at
+    /// half a turn; none where turns are counted.
+    fn turn_guard(_first: &Self::Marker, _second: &Self::Marker) -> Option<Guarded> {
+        None
+    }
     /// Point of a marker in ground axes [m]; z is zero in the plane.
     fn point(marker: &Self::Marker) -> [f64; 3];
     /// Carries a momentum or force of a body's velocity coordinates, at its centre of mass, to the ground's origin and

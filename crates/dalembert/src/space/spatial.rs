@@ -2,9 +2,10 @@
 
 use super::orientation::{Axis, OrientationSet, rotation_of, skew};
 use super::{AttitudeLabel, PoseCoordinate, Screw, Space};
-use crate::joint::SpatialMeasure;
+use crate::joint::{Guarded, Lost, SpatialMeasure};
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector6};
 use smallvec::SmallVec;
+use std::f64::consts::PI;
 
 /// Spatial motion of the centre of mass.
 ///
@@ -88,6 +89,14 @@ pub fn join(linear: &Vector3<f64>, angular: &Vector3<f64>) -> Vector6<f64> {
     Vector6::new(
         linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
     )
+}
+
+/// Turn that is left to half a turn at which a rotation vector is given up [rad].
+const NEAR_HALF_TURN: f64 = 1e-3;
+
+/// Rotation vector of the second marker in the axes of the first.
+fn rotation_vector(first: &SpatialMarker, second: &SpatialMarker) -> Vector3<f64> {
+    rotation_of(&first.axes.tr_mul(&second.axes)).scaled_axis()
 }
 
 impl Space for Spatial {
@@ -219,7 +228,7 @@ impl Space for Spatial {
             .into_iter()
             .map(|axis| SpatialMeasure::Along(axis).evaluate(first, second).into())
             .collect();
-        let p = rotation_of(&first.axes.tr_mul(&second.axes)).scaled_axis();
+        let p = rotation_vector(first, second);
         let half = 0.5 * p.norm();
         let c = if half < 1e-3 {
             // The next term is below rounding.
@@ -241,6 +250,21 @@ impl Space for Spatial {
             });
         }
         list
+    }
+
+    /// The axis of the turn, as long as the part of half a turn that is left.
+    fn turn_guard(first: &SpatialMarker, second: &SpatialMarker) -> Option<Guarded> {
+        let p = rotation_vector(first, second);
+        let angle = p.norm();
+        // Without a turn every axis is as good, and far from half a turn.
+        let axis = p.try_normalize(0.0).unwrap_or_else(Vector3::x);
+        let relative = first.axes.tr_mul(&(second.omega - first.omega));
+        Some(Guarded {
+            vector: axis * (1.0 - angle / PI),
+            rate: -axis * axis.dot(&relative) / PI,
+            limit: NEAR_HALF_TURN / PI,
+            lost: Lost::RotationVector,
+        })
     }
 
     fn point(m: &SpatialMarker) -> [f64; 3] {

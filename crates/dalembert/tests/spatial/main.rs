@@ -1,8 +1,11 @@
 //! Spatial bodies, markers, measures and the joint catalogue against dual numbers; joints as machines.
 
 mod bodies;
+mod bushing;
 mod check;
 mod contact_rows;
+mod families;
+mod guards;
 mod joint_equations;
 mod joints;
 mod machine;

@@ -92,6 +92,7 @@ fn units_get_panels_and_several_curves_a_legend() {
         unit: unit.to_owned(),
         meaning: String::new(),
         values: (0..200).map(|k| (f * f64::from(k)).sin()).collect(),
+        gaps: false,
     };
     let channels = [
         channel("a.angle", "rad", 0.1),
@@ -104,6 +105,7 @@ fn units_get_panels_and_several_curves_a_legend() {
         unit: "s".to_owned(),
         meaning: String::new(),
         values: time(200).values,
+        gaps: false,
     };
     // A pattern like "*" catches the time too; it is not drawn over itself.
     let ys: Vec<&Channel> = std::iter::once(&t).chain(&channels).collect();

@@ -48,6 +48,7 @@ pub(super) fn channel(name: &str, unit: &str, values: &[f64]) -> Channel {
         unit: unit.to_owned(),
         meaning: format!("meaning of {name}"),
         values: values.to_vec(),
+        gaps: false,
     }
 }
 

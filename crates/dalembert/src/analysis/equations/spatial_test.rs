@@ -149,7 +149,7 @@ fn terms_in_a_frame_of_the_user() {
     assert_eq!(report.velocities.rows[3], "rock.turn about x");
     let text = report.to_text();
     for words in [
-        "rock.e3",
+        "rock.b3",
         "Q_v",
         "rock.turn about z",
         "turns about the axes of the body frames",

@@ -22,6 +22,8 @@ pub struct BodyMotion {
 pub(super) struct Moving {
     pub body: usize,
     word: &'static str,
+    /// The greatest of its moves, in units of the machine's size, and turns.
+    pub size: f64,
     /// The axis of each motion; empty where axes go without saying.
     screws: Vec<Screw>,
 }
@@ -35,6 +37,7 @@ impl Moving {
         if self.word != other.word {
             self.word = "moves and turns";
         }
+        self.size = self.size.max(other.size);
         self.screws.extend(other.screws);
     }
 
@@ -97,7 +100,8 @@ pub(super) fn moving<S: Space>(
     for b in 0..system.bodies.len() {
         let mut own = S::Twist::of(&v.as_slice()[S::NV * b..S::NV * (b + 1)]);
         let (linear, angular) = own.as_mut_slice().split_at_mut(S::LINEAR);
-        let (moves, turns) = (norm(linear) / system.size > least, norm(angular) > least);
+        let (move_size, turn_size) = (norm(linear) / system.size, norm(angular));
+        let (moves, turns) = (move_size > least, turn_size > least);
         if !moves {
             linear.fill(0.0);
         }
@@ -140,6 +144,7 @@ pub(super) fn moving<S: Space>(
         list.push(Moving {
             body: b,
             word,
+            size: move_size.max(turn_size),
             screws: screw.into_iter().collect(),
         });
     }

@@ -8,6 +8,7 @@ use crate::system::{Role, System, Workspace};
 use crate::words::listed;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::fmt;
 
 /// Free motions with one measure of what moves.
@@ -20,6 +21,11 @@ pub struct FreeMotion {
     /// Do the bodies move as one piece, free from everything else?
     pub rigid: bool,
 }
+
+/// Most bodies of a motion that a text names with what they do.
+const MOST: usize = 8;
+/// The same where the axes of the motions make it long.
+const MOST_WITH_AXES: usize = 4;
 
 /// A coordinate in which a motion may be measured.
 struct Candidate {
@@ -89,7 +95,11 @@ struct Group {
 }
 
 impl Group {
-    fn told<S: Space>(self, system: &System<S>) -> FreeMotion {
+    fn told<S: Space>(mut self, system: &System<S>) -> FreeMotion {
+        // Of many bodies with axes only some are told: the greatest motions then.
+        if self.bodies.len() > MOST_WITH_AXES && self.bodies.iter().any(Moving::has_axes) {
+            self.bodies.sort_by(|a, b| b.size.total_cmp(&a.size));
+        }
         // Axes say more than the names of coordinates, but where a body is free in all of them.
         let by_axes = self.coordinates.len() < S::NV && self.bodies.iter().any(Moving::has_axes);
         let as_one = self.bodies.windows(2).all(|p| p[0].as_one_with(&p[1]));
@@ -202,16 +212,23 @@ impl fmt::Display for FreeMotion {
                 ),
             };
         }
+        // Words that name axes are made for the motion.
+        let axes = self
+            .bodies
+            .iter()
+            .any(|b| matches!(b.motion, Cow::Owned(_)));
+        let most = if axes { MOST_WITH_AXES } else { MOST };
         let words: Vec<String> = self
             .bodies
             .iter()
+            .take(most)
             .map(|b| format!("{} {}", b.body, b.motion))
             .collect();
-        let words = match words.len() {
-            0 => "no body moves".to_owned(),
-            1..=8 => words.join(", "),
-            9 => format!("{} and 1 more body", words[..8].join(", ")),
-            n => format!("{} and {} more bodies", words[..8].join(", "), n - 8),
+        let words = match (self.bodies.len(), self.bodies.len().saturating_sub(most)) {
+            (0, _) => "no body moves".to_owned(),
+            (_, 0) => words.join(", "),
+            (_, 1) => format!("{} and 1 more body", words.join(", ")),
+            (_, n) => format!("{} and {n} more bodies", words.join(", ")),
         };
         write!(f, "{}: {words}", listed(&self.coordinates))
     }

@@ -122,11 +122,20 @@ impl Recorder {
                 unit: unit.to_owned(),
                 meaning: meaning.to_owned(),
                 values: Vec::new(),
+                gaps: false,
             });
         }
         // Adding zero turns a negative zero into a plain one.
         self.channels[self.at].values.push(value + 0.0);
         self.at += 1;
+    }
+
+    /// A coordinate of an orientation: a gap where it is infinite.
+    fn put_attitude(&mut self, owner: &str, suffix: &str, unit: &str, meaning: &str, value: f64) {
+        let gap = !value.is_finite();
+        let value = if gap { f64::NAN } else { value };
+        self.put(owner, suffix, unit, meaning, value);
+        self.channels[self.at - 1].gaps |= gap;
     }
 
     /// The last values of the next channels, where there are any.

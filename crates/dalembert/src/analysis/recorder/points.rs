@@ -26,7 +26,7 @@ impl Recorder {
         let attitude = S::attitude(m, self.recording.orientation, before.as_deref());
         for (label, x) in labels.iter().zip(attitude) {
             let meaning = format!("{what}: {}", label.meaning);
-            self.put(name, &label.name, label.unit, &meaning, x);
+            self.put_attitude(name, &label.name, label.unit, &meaning, x);
         }
         let kinds = [
             ("v", "m/s", "velocity", "omega", "rad/s", "angular velocity"),
@@ -109,7 +109,7 @@ impl Recorder {
             };
             let meaning = format!("{kind} from {body}");
             let suffix = format!("relative.{}", label.name);
-            self.put(name, &suffix, label.unit, &meaning, x);
+            self.put_attitude(name, &suffix, label.unit, &meaning, x);
         }
         let w = axes.tr_mul(&(w_p - w_o));
         for (k, end, _) in turns::<S>() {

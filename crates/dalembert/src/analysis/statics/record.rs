@@ -38,6 +38,7 @@ pub(super) fn record<S: Space>(
             unit: unit.to_owned(),
             meaning: meaning.to_owned(),
             values: (0..equilibria.len()).map(value).collect(),
+            gaps: false,
         });
     };
     put("number", "", "number of the equilibrium, from 1", &|k| {

@@ -6,6 +6,7 @@ use super::solution::Solution;
 use crate::analysis::AnalysisError;
 use crate::analysis::mobility::{FreeMotion, describe, with_axis};
 use crate::solve::RankError;
+use crate::solve::rank::Svd;
 use crate::space::{Space, Tuple};
 use faer::{Mat, Side};
 use nalgebra::{DMatrix, DVector};
@@ -89,22 +90,31 @@ pub(super) fn judge<S: Space>(
     Ok(verdict)
 }
 
-/// The neutral motions of an equilibrium, orthonormal in scaled coordinates.
-pub(super) fn neutral_motions<S: Space>(
+/// The directions in which poses of equilibrium go on from one, orthonormal in scaled coordinates.
+///
+/// Rows that hold velocities only carry forces, but no pose is out of their reach: a rolling coin comes to stand anywhere.
+/// With P the motions that the other rows leave, and B those that all rows leave, it is the null space of B^T K P.
+pub(super) fn neutral_directions<S: Space>(
     problem: &mut Problem<'_, S>,
     q: &[f64],
 ) -> Result<DMatrix<f64>, AnalysisError> {
     problem.evaluate(q)?;
-    let motions = Motions::new(problem)?;
+    let jacobian = problem.jacobian();
+    let motions = Motions::of(problem, &jacobian)?;
     let scale = problem.force_scale();
     let lambda = motions.multipliers(&problem.forces());
-    let k = problem.stiffness(q, &lambda, &motions.basis)?;
-    let (values, vectors) = principal(problem, &(motions.basis.transpose() * k))?;
-    let zero = NEUTRAL.0 * scale + NEUTRAL.1 * values.amax();
-    let flat: Vec<usize> = (0..values.len())
-        .filter(|&j| values[j].abs() <= zero)
-        .collect();
-    Ok(motions.basis * vectors.select_columns(&flat))
+    let velocity_rows = problem.system.velocity_rows();
+    let poses = if velocity_rows.is_empty() {
+        motions.basis.clone()
+    } else {
+        Motions::of(problem, &jacobian.remove_rows_at(velocity_rows))?.basis
+    };
+    let k = problem.stiffness(q, &lambda, &poses)?;
+    let svd = Svd::new(&(motions.basis.transpose() * k)).map_err(|e| problem.rank_error(e))?;
+    let largest = svd.values.first().copied().unwrap_or(0.0);
+    let zero = NEUTRAL.0 * scale + NEUTRAL.1 * largest;
+    let rank = svd.values.iter().filter(|s| **s > zero).count();
+    Ok(&poses * svd.v.columns(rank, poses.ncols() - rank))
 }
 
 /// Neutral motions (scaled, at the evaluated pose) by the names of coordinates that can be chosen at
@@ -125,6 +135,10 @@ fn along<S: Space>(problem: &Problem<'_, S>, mut neutral: DMatrix<f64>) -> Vec<S
             let more = m.bodies.len() - 6;
             let (s, verb) = if more == 1 { ("y", "s") } else { ("ies", "") };
             bodies.push(format!("{more} more bod{s} move{verb}"));
+        }
+        // A contact parameter alone moves no body.
+        if bodies.is_empty() {
+            bodies.push("no body moves".to_owned());
         }
         format!(
             "neutral along {}: {}",

@@ -28,6 +28,8 @@ use std::sync::Arc;
 
 type Row = MeasureRow<Spatial>;
 type Rows = SmallVec<[Row; 2]>;
+/// Sums of cosines that are one in the pose that is meant.
+type Alike = SmallVec<[SmallVec<[MeasureTerm<Spatial>; 1]>; 1]>;
 
 /// Measure between the element's first and second marker.
 const fn between(kind: SpatialMeasure) -> Measure<Spatial> {
@@ -91,8 +93,25 @@ fn chain(parts: impl IntoIterator<Item = Rows>) -> Rows {
 
 /// What must be one for a joint to stand as it is meant: its rows also hold with opposite axes, those of [`alike`] with
 /// axes that are exchanged in a circle too.
-fn same_sense(axes: &[Axis]) -> SmallVec<[Measure<Spatial>; 1]> {
-    axes.iter().map(|a| between(Dot(*a, *a))).collect()
+fn same_sense(axes: &[Axis]) -> Alike {
+    axes.iter().map(|a| smallvec![cosine(1.0, *a)]).collect()
+}
+
+/// Of a joint that turns about axes across z only: e_x.f_x + e_y.f_y - e_z.f_z is one then, and where its row holds with a
+/// twist of half a turn it is -1 - 2 e_z.f_z.
+fn not_twisted() -> Alike {
+    smallvec![smallvec![
+        cosine(1.0, Axis::X),
+        cosine(1.0, Axis::Y),
+        cosine(-1.0, Axis::Z)
+    ]]
+}
+
+fn cosine(factor: f64, axis: Axis) -> MeasureTerm<Spatial> {
+    MeasureTerm {
+        factor,
+        measure: between(Dot(axis, axis)),
+    }
 }
 
 fn built(
@@ -102,12 +121,22 @@ fn built(
     axes: &[Axis],
     coordinates: SmallVec<[Coordinate<Spatial>; 2]>,
 ) -> Built<Spatial> {
+    standing(kind, markers, rows, same_sense(axes), coordinates)
+}
+
+fn standing(
+    kind: &'static str,
+    markers: [usize; 2],
+    rows: Rows,
+    alike: Alike,
+    coordinates: SmallVec<[Coordinate<Spatial>; 2]>,
+) -> Built<Spatial> {
     Built {
         kind,
         element: Arc::new(MeasureRows {
             markers: 2,
             rows,
-            alike: same_sense(axes),
+            alike,
         }),
         markers: SmallVec::from_slice(&markers),
         coordinates,
@@ -186,7 +215,7 @@ impl Context<'_, Spatial> {
                     measure: between(Dot(Axis::Y, Axis::X)),
                 });
                 let rows = chain([together(), smallvec![twist]]);
-                built("constant-velocity", m, rows, &[], SmallVec::new())
+                standing("constant-velocity", m, rows, not_twisted(), SmallVec::new())
             }
             JointKind::Screw { placement, pitch } => {
                 let pitch = self.number(pitch, Dim::LENGTH, &place.owner, &place.key("pitch"));
