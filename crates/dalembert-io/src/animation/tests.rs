@@ -77,6 +77,7 @@ fn sample() -> Animation {
             unit: "rad".to_owned(),
             meaning: "angle".to_owned(),
             values: vec![1.0, 2.5],
+            gaps: false,
         })],
         notes: vec!["note".to_owned()],
         summary: vec![("Degrees of freedom".to_owned(), "1".to_owned())],

@@ -1,6 +1,6 @@
 //! Bodies of unknown orientation, turned so that the axes of their joints stand alike.
 
-use crate::joint::{Measure, Measured};
+use crate::joint::{SumOfMeasures, sum_of};
 use crate::space::{Space, Tuple, norm};
 use crate::system::{ElementData, System, Workspace};
 
@@ -22,16 +22,18 @@ pub(super) fn align<S: Space>(system: &System<S>, ws: &mut Workspace<S>, q: &mut
     loop {
         let mut found = false;
         for e in &system.elements {
-            for m in e.element.alike() {
-                let Some((body, second)) = open_end(system, e, m, &placed) else {
-                    continue;
-                };
-                for m in e.element.alike() {
-                    turned |= turn(system, ws, q, e, m, (body, second));
-                }
-                placed[body] = true;
-                found = true;
+            let sums = e.element.alike();
+            let Some(body) = sums
+                .iter()
+                .find_map(|sum| open_end(system, e, sum, &placed))
+            else {
+                continue;
+            };
+            for sum in sums {
+                turned |= turn(system, ws, q, e, sum, body);
             }
+            placed[body] = true;
+            found = true;
         }
         if !found {
             return turned;
@@ -39,50 +41,53 @@ pub(super) fn align<S: Space>(system: &System<S>, ws: &mut Workspace<S>, q: &mut
     }
 }
 
-/// The body of a measure that is not placed yet, where the other one is; and whether it is the second one.
+/// The body of a sum that is not placed yet, where all others are.
 fn open_end<S: Space>(
     system: &System<S>,
     e: &ElementData<S>,
-    m: &Measure<S>,
+    sum: &SumOfMeasures<S>,
     placed: &[bool],
-) -> Option<(usize, bool)> {
-    let body = |marker: usize| system.markers[e.markers[marker]].body;
-    let open = |b: Option<usize>| b.filter(|b| !placed[*b]);
-    match (open(body(m.first)), open(body(m.second))) {
-        (None, Some(b)) => Some((b, true)),
-        (Some(b), None) => Some((b, false)),
-        _ => None,
-    }
+) -> Option<usize> {
+    let markers = sum
+        .iter()
+        .flat_map(|term| [term.measure.first, term.measure.second]);
+    let mut open = markers
+        .filter_map(|m| system.markers[e.markers[m]].body)
+        .filter(|b| !placed[*b]);
+    let first = open.next()?;
+    open.all(|b| b == first).then_some(first)
 }
 
-/// Turns a body until a cosine is one; false where it is so already.
+/// Turns a body until a sum of cosines is one; false where it is so already.
 fn turn<S: Space>(
     system: &System<S>,
     ws: &mut Workspace<S>,
     q: &mut [f64],
     e: &ElementData<S>,
-    m: &Measure<S>,
-    (body, second): (usize, bool),
+    sum: &SumOfMeasures<S>,
+    body: usize,
 ) -> bool {
     let rest = vec![0.0; system.nv()];
     let mut turned = false;
     for _ in 0..SWEEPS {
         system.update_markers(q, &rest, ws);
         let markers = ws.seen(&e.markers);
-        let Measured {
-            value,
-            first,
-            second: last,
-            ..
-        } = m.evaluate(&markers);
+        let value = sum_of(sum, &markers);
         if value > ALIKE {
             break;
         }
-        let pulled = if second {
-            S::pull(&markers[m.second], &last)
-        } else {
-            S::pull(&markers[m.first], &first)
-        };
+        let mut pulled = S::Twist::zero();
+        for term in sum {
+            let m = term.measure.evaluate(&markers);
+            for (marker, gradient) in [
+                (term.measure.first, m.first),
+                (term.measure.second, m.second),
+            ] {
+                if system.markers[e.markers[marker]].body == Some(body) {
+                    pulled.add_scaled(term.factor, &S::pull(&markers[marker], &gradient));
+                }
+            }
+        }
         let slope = &pulled.as_slice()[S::LINEAR..];
         let (steep, angle) = (norm(slope), value.clamp(-1.0, 1.0).acos());
         let mut step = S::Twist::zero();

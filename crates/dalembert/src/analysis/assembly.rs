@@ -5,7 +5,7 @@ use super::newton::{NewtonOptions, correct_positions, correct_velocities};
 use super::weights::Weights;
 use super::{AnalysisError, ChangedRate};
 use crate::formulation::column_scale;
-use crate::joint::RowUnit;
+use crate::joint::{RowUnit, sum_of};
 use crate::space::{Space, Tuple, norm};
 use crate::system::Phase;
 use crate::system::{State, System, Workspace};
@@ -190,8 +190,12 @@ fn right_sides<S: Space>(
     state: &State,
 ) -> Result<(), AnalysisError> {
     system.update_markers(&state.q, &state.v, ws);
-    let wrong = system.elements.iter();
-    let wrong = wrong.filter(|e| e.element.alike(&ws.seen(&e.markers)) < ALIKE);
+    let wrong = system.elements.iter().filter(|e| {
+        let alike = e.element.alike();
+        let apart =
+            |markers: &[S::Marker]| alike.iter().any(|terms| sum_of(terms, markers) < ALIKE);
+        !alike.is_empty() && apart(&ws.seen(&e.markers))
+    });
     let names: Vec<String> = wrong
         .map(|e| format!("'{}' ({})", e.name, e.kind))
         .collect();

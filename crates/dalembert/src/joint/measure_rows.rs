@@ -35,11 +35,14 @@ pub struct MeasureRows<S: Space = Planar> {
     /// The rows.
     pub rows: SmallVec<[MeasureRow<S>; 2]>,
     /// Sums of cosines that are one in the pose that is meant.
-    pub alike: SmallVec<[SmallVec<[MeasureTerm<S>; 1]>; 1]>,
+    pub alike: SmallVec<[SumOfMeasures<S>; 1]>,
 }
 
+/// A weighted sum of measures.
+pub type SumOfMeasures<S> = SmallVec<[MeasureTerm<S>; 1]>;
+
 /// Value of a weighted sum of measures.
-fn sum<S: Space>(terms: &[MeasureTerm<S>], markers: &[S::Marker]) -> f64 {
+pub fn sum_of<S: Space>(terms: &[MeasureTerm<S>], markers: &[S::Marker]) -> f64 {
     let value = |term: &MeasureTerm<S>| term.factor * term.measure.value(markers);
     terms.iter().map(value).sum()
 }
@@ -78,7 +81,7 @@ impl<S: Space> MeasureRow<S> {
 
     /// Value of the sum of measures.
     pub fn sum(&self, markers: &[S::Marker]) -> f64 {
-        sum(&self.terms, markers)
+        sum_of(&self.terms, markers)
     }
 
     fn unit(&self) -> RowUnit {
@@ -137,9 +140,8 @@ impl<S: Space> ConstraintElement<S> for MeasureRows<S> {
             .for_each(see);
     }
 
-    fn alike(&self, markers: &[S::Marker]) -> f64 {
-        let sums = self.alike.iter().map(|terms| sum(terms, markers));
-        sums.fold(1.0, f64::min)
+    fn alike(&self) -> &[SumOfMeasures<S>] {
+        &self.alike
     }
 
     fn evaluate(&self, input: &ConstraintInput<'_, S>, out: &mut ConstraintOutput<'_, S>) {

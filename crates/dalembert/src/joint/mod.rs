@@ -29,7 +29,7 @@ pub use expression_rows::ExpressionRows;
 pub use guarded::{Guarded, Lost};
 pub use knife_edge::KnifeEdge;
 pub use measure::{Measure, MeasureKind, Measured};
-pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm};
+pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm, SumOfMeasures, sum_of};
 pub use planar_measure::PlanarMeasure;
 pub use point_on_curve::PointOnCurve;
 pub use point_on_surface::PointOnSurface;
@@ -125,10 +125,10 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     }
     /// Shows the vectors that must not vanish, at a state of its markers.
     fn guarded(&self, _markers: &[S::Marker], _see: &mut dyn FnMut(Guarded)) {}
-    /// The least of the sums of cosines that are one where the element stands as it is meant; its rows may also hold where
-    /// one of them is zero or negative.
-    fn alike(&self, _markers: &[S::Marker]) -> f64 {
-        1.0
+    /// Sums of cosines that are one where the element stands as it is meant; its rows may also hold where one of them is
+    /// zero or negative.
+    fn alike(&self) -> &[SumOfMeasures<S>] {
+        &[]
     }
     /// The force of a contact whose rows have these multipliers; none for other elements.
     fn contact(
