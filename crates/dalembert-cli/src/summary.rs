@@ -59,22 +59,11 @@ fn extent(c: &Channel) -> (f64, f64) {
 
 /// A table of the most telling channels: first and last value, smallest and largest.
 pub fn table(results: &Results) -> String {
-    let telling = |name: &str| {
-        let last = name.rsplit('.').next().unwrap_or(name);
-        matches!(
-            last,
-            "angle"
-                | "angle_1"
-                | "angle_2"
-                | "displacement"
-                | "moment"
-                | "force"
-                | "length"
-                | "x"
-                | "y"
-                | "z"
-        ) && !name.starts_with("momentum")
-            && name.matches('.').count() == 1
+    let own = |name: &str| name.matches('.').count() == 1 && !name.starts_with("momentum");
+    let last = |name: &str| name.rsplit('.').next().unwrap_or(name).to_owned();
+    let telling = |c: &Channel| {
+        let places = ["displacement", "moment", "force", "length", "x", "y", "z"];
+        own(&c.name) && (c.unit == "rad" || places.contains(&last(&c.name).as_str()))
     };
     let mut out = String::new();
     // Channels that stay zero say nothing here; values that are rounding beside them are zero.
@@ -82,8 +71,14 @@ pub fn table(results: &Results) -> String {
     let mut rows: Vec<_> = results
         .channels
         .iter()
-        .filter(|c| telling(&c.name) && largest(c) > 1e-12)
+        .filter(|c| telling(c) && largest(c) > 1e-12)
         .collect();
+    if rows.is_empty() {
+        // Bodies that only turn.
+        let spins = |c: &&Channel| own(&c.name) && last(&c.name).starts_with("omega");
+        let turning = results.channels.iter().filter(spins);
+        rows = turning.filter(|c| largest(c) > 1e-12).collect();
+    }
     let all = rows.len();
     if all > MOST_ROWS {
         // Of many, places that stay where they are say least, and then places at all.
