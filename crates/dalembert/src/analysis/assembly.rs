@@ -4,7 +4,7 @@ use super::newton::{NewtonOptions, correct_positions, correct_velocities};
 use super::weights::Weights;
 use super::{AnalysisError, ChangedRate};
 use crate::formulation::column_scale;
-use crate::joint::RowUnit;
+use crate::joint::{ConstraintInput, RowUnit};
 use crate::space::{Space, Tuple, norm};
 use crate::system::Phase;
 use crate::system::{State, System, Workspace};
@@ -54,7 +54,6 @@ impl Assembly {
         &self,
         system: &System<S>,
     ) -> Result<(State, AssemblyReport), AnalysisError> {
-        let mut state = system.estimate.clone();
         let mut report = AssemblyReport::default();
         let positions = system.start_positions();
         let mut ws = Workspace::new(&positions);
@@ -70,19 +69,28 @@ impl Assembly {
                 &mut trial,
             )
         };
+        let mut estimate = system.estimate.clone();
+        move_apart(&positions, &mut estimate.q);
+        let mut state = estimate.clone();
         let mut newton = solve(&mut state, &weights);
         let even = Weights::even(&positions);
-        if let Err(first @ AnalysisError::NotAssembled { .. }) = newton {
-            // A body of unknown angle turns first, but a turn reaches no farther than its arm: then everything moves
-            // alike. And where bodies stand in a line, no small motion brings them nearer: then from beside it.
-            newton = Err(first);
+        // A body of unknown angle turns first, but a turn reaches no farther than its arm: then everything moves alike. And
+        // where bodies stand in a line, or surfaces at right angles, no small motion is better than its opposite: then from
+        // beside it.
+        let retry = match &newton {
+            Err(error) => matches!(error, AnalysisError::NotAssembled { .. }),
+            Ok(_) => away(&positions, &state),
+        };
+        if retry {
             for attempt in 0..=ATTEMPTS {
                 if attempt == 0 && !uneven(&system.position_weight) {
                     continue;
                 }
-                let mut start = system.estimate.clone();
+                let mut start = estimate.clone();
                 beside(system, &mut start.q, attempt);
-                if let Ok(found) = solve(&mut start, &even) {
+                if let Ok(found) = solve(&mut start, &even)
+                    && !away(&positions, &start)
+                {
                     state = start;
                     newton = Ok(found);
                     break;
@@ -90,7 +98,7 @@ impl Assembly {
             }
         }
         let newton = newton?;
-        right_sides(&positions, &mut ws, &state)?;
+        right_sides(&positions, &mut Workspace::new(&positions), &state)?;
         report.iterations = newton.iterations;
         report.moved = moved(system, &system.estimate.q, &state.q, 1e-9);
 
@@ -188,13 +196,85 @@ fn right_sides<S: Space>(
         .map(|e| format!("'{}' ({})", e.name, e.kind))
         .collect();
     if names.is_empty() {
-        return Ok(());
+        return facing(system, ws, state.t);
     }
     Err(AnalysisError::WrongSide {
         time: state.t,
         elements: crate::words::listed(&names),
     })
 }
+
+/// Refuses a pose in which surfaces touch from the wrong side, or behind a pole.
+pub(super) fn facing<S: Space>(
+    system: &System<S>,
+    ws: &Workspace<S>,
+    t: f64,
+) -> Result<(), AnalysisError> {
+    let wrong = system.elements.iter().filter(|e| {
+        let input = ConstraintInput {
+            t,
+            markers: &ws.seen(&e.markers),
+            s: &ws.s[e.aux.clone()],
+            s_rate: &ws.s_rate[e.aux.clone()],
+        };
+        e.element.facing(&input).is_some_and(|cosine| cosine <= 0.0)
+    });
+    let names: Vec<String> = wrong
+        .map(|e| format!("'{}' ({})", e.name, e.kind))
+        .collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    Err(AnalysisError::WrongSurface {
+        time: t,
+        elements: crate::words::listed(&names),
+    })
+}
+
+/// Do surfaces touch from the wrong side in a pose?
+fn away<S: Space>(system: &System<S>, state: &State) -> bool {
+    let mut ws = Workspace::new(system);
+    system.update_markers(&state.q, &state.v, &mut ws);
+    facing(system, &ws, state.t).is_err()
+}
+
+/// Moves bodies out of each other's centres where any direction is as good as another: along gravity.
+fn move_apart<S: Space>(system: &System<S>, q: &mut [f64]) {
+    let mut ws = Workspace::new(system);
+    system.update_markers(q, &vec![0.0; system.nv()], &mut ws);
+    let mut down = system.gravity.clone();
+    let length = norm(&down);
+    if length > 0.0 {
+        down.iter_mut().for_each(|g| *g /= length);
+    } else {
+        down[S::LINEAR - 1] = -1.0;
+    }
+    let mut step = vec![0.0; system.nv()];
+    for e in &system.elements {
+        let Some(distance) = e.element.apart() else {
+            continue;
+        };
+        let [one, two] = [e.markers[0], e.markers[1]];
+        let [p, r] = [one, two].map(|m| S::point(&ws.markers[m]));
+        let between: Vec<f64> = p.iter().zip(&r).map(|(p, r)| r - p).collect();
+        if norm(&between) > COINCIDENT * distance {
+            continue;
+        }
+        // The second body falls, or the first where the second is the ground.
+        let falling = system.markers[two].body.or(system.markers[one].body);
+        if let Some(b) = falling {
+            for (k, d) in down.iter().enumerate() {
+                step[b * S::NV + k] = distance * d;
+            }
+        }
+    }
+    if step.iter().any(|x| *x != 0.0) {
+        system.advance(q, 1.0, &step);
+    }
+}
+
+/// Part of the distance at which centres have no direction from one to the other.
+const COINCIDENT: f64 = 1e-6;
 
 /// Passes of the velocities: each leaves a ten-thousandth of what the one before left.
 const PASSES: usize = 4;

@@ -4,6 +4,7 @@
 mod assembly;
 mod changed_rate;
 mod conserved;
+mod contact_watch;
 mod contradiction;
 mod dynamics;
 pub mod equations;

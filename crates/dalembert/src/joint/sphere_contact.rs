@@ -14,6 +14,8 @@ pub struct SphereContact {
     /// Radius of the first sphere, negative where it lies around the second or the second around it.
     first: f64,
     inside: bool,
+    /// Of the centres.
+    distance: f64,
 }
 
 impl SphereContact {
@@ -40,6 +42,7 @@ impl SphereContact {
                 first
             },
             inside,
+            distance,
         }
     }
 }
@@ -51,6 +54,14 @@ impl ConstraintElement<Spatial> for SphereContact {
 
     fn distances(&self) -> Vec<Measure<Spatial>> {
         self.rows.distances()
+    }
+
+    fn reach(&self) -> f64 {
+        self.first.abs().max((self.distance - self.first).abs())
+    }
+
+    fn apart(&self) -> Option<f64> {
+        Some(self.distance)
     }
 
     fn contact(

@@ -20,6 +20,7 @@ pub use holding::{HoldingLoad, HoldingLoads, Unknown, holding_loads};
 pub use report::{Equilibrium, StaticsReport};
 pub use stability::Stability;
 
+use super::assembly::facing;
 use super::newton::NewtonOptions;
 use super::recorder::Recording;
 use super::{AnalysisError, Assembly};
@@ -281,6 +282,10 @@ impl Statics {
         }
         let verdict = judge(problem, solution)?;
         problem.evaluate(&solution.q)?;
+        // Surfaces that touch from the wrong side are no pose of the machine.
+        if facing(problem.system, &problem.ws, problem.time()).is_err() {
+            return Ok(());
+        }
         let multipliers = problem.least_multipliers(&solution.lambda);
         let (stored, potential) = (problem.stored(), problem.potential());
         found.scale = found.scale.max(solution.scale);

@@ -1,6 +1,7 @@
 //! A machine at rest, evaluated in comparable units.
 
 use crate::analysis::AnalysisError;
+use crate::analysis::assembly::facing;
 use crate::analysis::least_reactions::LeastReactions;
 use crate::analysis::meeting::Meeting;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
@@ -80,6 +81,7 @@ impl<'a, S: Space> Problem<'a, S> {
             &self.newton,
             &mut self.trial,
         )?;
+        facing(self.system, &self.ws, self.state.t)?;
         q.copy_from_slice(&self.state.q);
         Ok(())
     }
