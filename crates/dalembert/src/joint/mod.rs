@@ -42,6 +42,7 @@ pub use time_function::{RateIntegral, TimeFunction};
 pub use velocity_rows::VelocityRows;
 
 use crate::space::Space;
+use crate::surface::Sheet;
 use std::fmt::Debug;
 use std::ops::Range;
 
@@ -149,6 +150,11 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     fn parameters(&self, s: &[f64], _last: &[f64]) -> Vec<(String, f64)> {
         let labels = self.auxiliaries().into_iter();
         labels.map(|l| l.text).zip(s.iter().copied()).collect()
+    }
+    /// Its surfaces around the points with these auxiliary coordinates, as far as a size [m], in the frames of the markers
+    /// with these numbers: for the picture.
+    fn sheets(&self, _s: &[f64], _size: f64) -> Vec<(usize, Sheet)> {
+        Vec::new()
     }
     /// Does a contact hold where it would have to pull, by intention?
     fn holds_both_ways(&self) -> bool {

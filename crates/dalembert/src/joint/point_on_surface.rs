@@ -6,7 +6,7 @@ use super::{
     RowUnit,
 };
 use crate::space::{Spatial, SpatialMarker, join};
-use crate::surface::{Field, Surface};
+use crate::surface::{Field, Sheet, Surface, SurfaceShape};
 use nalgebra::{Matrix3, Vector3};
 
 /// The point c of one marker keeps the distance R from the surface of another: r + A (u(s) + R n(s)) - c = 0, with n the
@@ -82,6 +82,17 @@ impl ConstraintElement<Spatial> for PointOnSurface {
         let near = last.first().copied().unwrap_or(self.near);
         let [a, b] = self.surface.parameters(s, near);
         vec![("a".to_owned(), a), ("b".to_owned(), b)]
+    }
+
+    fn sheets(&self, s: &[f64], size: f64) -> Vec<(usize, Sheet)> {
+        let [base, other] = self.order();
+        let own = self.surface.sheet(s, size).map(|sheet| (base, sheet));
+        let ball = (self.distance > 0.0).then_some(Surface {
+            shape: SurfaceShape::Sphere(self.distance),
+            inside: false,
+        });
+        let ball = ball.and_then(|b| Some((other, b.sheet(&[0.0, 0.0, 1.0], size)?)));
+        own.into_iter().chain(ball).collect()
     }
 
     fn holds_both_ways(&self) -> bool {

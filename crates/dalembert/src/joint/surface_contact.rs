@@ -5,7 +5,7 @@ use super::{
     RowUnit,
 };
 use crate::space::{Spatial, join};
-use crate::surface::{Around, Surface};
+use crate::surface::{Around, Field, Sheet, Surface};
 use nalgebra::Vector3;
 use smallvec::SmallVec;
 
@@ -157,6 +157,12 @@ impl ConstraintElement<Spatial> for SurfaceContact {
         })
     }
 
+    fn sheets(&self, s: &[f64], size: f64) -> Vec<(usize, Sheet)> {
+        let s = self.coordinates(s);
+        let sheets = (0..2).filter_map(|k| Some((k, self.surfaces[k].sheet(s[k], size)?)));
+        sheets.collect()
+    }
+
     fn reach(&self) -> f64 {
         self.surfaces[0].reach().max(self.surfaces[1].reach())
     }
@@ -216,7 +222,7 @@ impl ConstraintElement<Spatial> for SurfaceContact {
         let mut row = 3;
         let (rates, omegas) = ([s1, s2], [&m1.omega, &m2.omega]);
         // Tangents of one surface against the normal of the other.
-        let mut tangency = |own: usize, tangents: &[crate::surface::Field; 2]| {
+        let mut tangency = |own: usize, tangents: &[Field; 2]| {
             let other = 1 - own;
             let n = if other == 0 { &one.normal } else { &two.normal };
             let first = [0, middle];

@@ -1,6 +1,7 @@
 //! Where two surfaces come nearest, and how they touch there.
 
 use super::{Coordinates, Surface};
+use crate::joint::Regularity;
 use crate::space::SpatialMarker;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
@@ -72,6 +73,23 @@ impl Placed<'_> {
     fn curvature(&self, s: &[f64]) -> Option<Matrix3<f64>> {
         let own = self.surface.curvature(s)?;
         Some(self.marker.axes * own * self.marker.axes.transpose())
+    }
+
+    /// Does a ball of a radius touch the surface here without running into it around? Points fit everywhere.
+    fn fits(&self, s: &[f64], radius: f64) -> bool {
+        if radius == 0.0 {
+            return true;
+        }
+        let around = self.surface.around(s);
+        let (Some(n), Some(own)) = (
+            around.normal.value.try_normalize(f64::MIN_POSITIVE),
+            self.surface.curvature(s),
+        ) else {
+            return false;
+        };
+        // Both relative curvatures bend away from the ball.
+        let relative = own - (Matrix3::identity() - n * n.transpose()) / radius;
+        relative.trace() < 0.0 && Regularity::flatness(&relative) > 0.0
     }
 
     /// Do the parameters have a pole at these coordinates, or next to them?
@@ -160,11 +178,20 @@ pub fn nearest_point(
             d.norm_squared() - LOWER * reach * d.dot(down)
         })
     };
-    let best = cells
-        .into_iter()
-        .min_by(|a, b| merit(a).total_cmp(&merit(b)))?;
+    let least = |a: &&Coordinates, b: &&Coordinates| merit(a).total_cmp(&merit(b));
     let residual = |s: &[f64]| way(s).map(|d| DVector::from_column_slice(d.as_slice()));
-    Some(surface.settled(&improve(best.to_vec(), residual).0))
+    let improved = |s: &Coordinates| surface.settled(&improve(s.to_vec(), residual).0);
+    // Where a ball runs into the surface beside the contact, its equations hold, but lead nowhere.
+    let fitting = cells.iter().filter(|s| surface.fits(s, distance));
+    if let Some(best) = fitting.min_by(least) {
+        let found = improved(best);
+        return Some(if surface.fits(&found, distance) {
+            found
+        } else {
+            best.clone()
+        });
+    }
+    cells.iter().min_by(least).map(improved)
 }
 
 /// Coordinates at which two surfaces come nearest to touching, normals against each other: those of the first, then those
