@@ -271,6 +271,10 @@ pub fn touch(pair: [Placed<'_>; 2], s: [&[f64]; 2]) -> Option<Touch> {
     let changes = around.point.by[..pair[curved].surface.count()].iter();
     let changes = changes.map(|u| u.dot(&line).abs() / u.norm());
     let along = DVector::from_iterator(pair[curved].surface.count(), changes).imax();
-    let first = if curved == 0 { 0 } else { pair[0].surface.count() };
+    let first = if curved == 0 {
+        0
+    } else {
+        pair[0].surface.count()
+    };
     Some(Touch::Line(first + along))
 }

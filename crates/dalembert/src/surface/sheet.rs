@@ -34,14 +34,12 @@ impl Surface {
             SurfaceShape::Cone(_, height) => [around, [0.0_f64.min(b), *height]],
             SurfaceShape::Torus(..) => [around, [-PI, PI]],
             SurfaceShape::Revolved(_) => [around, self.stretch([a, b], 1, size)],
-            SurfaceShape::Expressions(..) => [
-                self.stretch([a, b], 0, size),
-                self.stretch([a, b], 1, size),
-            ],
+            SurfaceShape::Expressions(..) => {
+                [self.stretch([a, b], 0, size), self.stretch([a, b], 1, size)]
+            }
         };
-        let part = |[from, to]: [f64; 2], k: usize| {
-            from + (to - from) * (k as f64) / (FINE - 1) as f64
-        };
+        let part =
+            |[from, to]: [f64; 2], k: usize| from + (to - from) * (k as f64) / (FINE - 1) as f64;
         let points: Vec<[f64; 3]> = (0..FINE * FINE)
             .map(|k| [part(a, k / FINE), part(b, k % FINE)])
             .map(|at| self.partials(&at).of(0, 0).into())

@@ -124,7 +124,12 @@ fn an_ellipsoid_on_a_plane() {
     let expected = [&w[..], &second[2..]].concat();
     near("s_ddot", &ws.a[6..], &expected, 1e-13);
     const NORMAL: f64 = 12.863_424_855_864_121;
-    near("lambda", &ws.lambda[..5], &[0.0, 0.0, -NORMAL, 0.0, 0.0], 1e-13);
+    near(
+        "lambda",
+        &ws.lambda[..5],
+        &[0.0, 0.0, -NORMAL, 0.0, 0.0],
+        1e-13,
+    );
 }
 
 #[test]

@@ -163,9 +163,12 @@ impl Drawing {
     fn add_sheets<S: Geometry>(&mut self, system: &System<S>) {
         let bare: Vec<bool> = self.bodies.iter().map(|b| b.shapes.is_empty()).collect();
         let aux = system.bodies.len() * S::NQ;
+        let bodies = system.estimate.q[..aux].chunks_exact(S::NQ);
+        // A ball alone is small beside the way on which it slides.
+        let size = bodies.fold(system.size, |m, q| m.max(S::reach(q)[0]));
         for e in &system.elements {
             let s = &system.estimate.q[aux + e.aux.start..aux + e.aux.end];
-            for (k, mut sheet) in e.element.sheets(s, system.size) {
+            for (k, mut sheet) in e.element.sheets(s, size) {
                 let m = &system.markers[e.markers[k]];
                 // Movable bodies in their order, then the ground.
                 let body = m.body.unwrap_or(system.bodies.len());

@@ -62,6 +62,12 @@ impl<S: Geometry> Context<'_, S> {
         };
         let dim = Quantity::Known(Dim::LENGTH);
         let text = text_of(value);
+        let simple = text.chars().all(char::is_alphanumeric);
+        let product = if simple {
+            text.clone()
+        } else {
+            format!("({text})")
+        };
         let mut compiled = dalembert_expr::compile(&text, &scope, dim);
         if let Err(errors) = &mut compiled
             && dalembert_expr::compile(&text, &scope, Quantity::Known(Dim::NONE)).is_ok()
@@ -69,7 +75,7 @@ impl<S: Geometry> Context<'_, S> {
             // The names are plain numbers: without a unit the whole is one too.
             for error in errors {
                 error.help = format!(
-                    "{} are plain numbers: make the whole a length, \"({text}) * 1 m\"",
+                    "{} are plain numbers: make the whole a length, \"{product} * 1 m\"",
                     names.join(" and ")
                 );
             }
