@@ -15,6 +15,8 @@ const STEPS: usize = 60;
 const LINE: f64 = 1e-9;
 /// How much of the reach a place may lie farther away if it lies lower.
 const LOWER: f64 = 1e-6;
+/// Smaller over larger relative curvature at which a ball fits well.
+const WELL: f64 = 0.05;
 /// Normals, in parts of the usual length of t_a x t_b, that count as vanished.
 const POLE: f64 = 1e-6;
 
@@ -75,8 +77,9 @@ impl Placed<'_> {
         Some(self.marker.axes * own * self.marker.axes.transpose())
     }
 
-    /// Does a ball of a radius touch the surface here without running into it around? Points fit everywhere.
-    fn fits(&self, s: &[f64], radius: f64) -> bool {
+    /// Does a ball of a radius touch the surface here without running into it around, its smaller relative curvature more than
+    /// a part of the larger? Points fit everywhere.
+    fn fits(&self, s: &[f64], radius: f64, margin: f64) -> bool {
         if radius == 0.0 {
             return true;
         }
@@ -89,7 +92,7 @@ impl Placed<'_> {
         };
         // Both relative curvatures bend away from the ball.
         let relative = own - (Matrix3::identity() - n * n.transpose()) / radius;
-        relative.trace() < 0.0 && Regularity::flatness(&relative) > 0.0
+        relative.trace() < 0.0 && Regularity::flatness(&relative) > margin
     }
 
     /// Do the parameters have a pole at these coordinates, or next to them?
@@ -181,17 +184,22 @@ pub fn nearest_point(
     let least = |a: &&Coordinates, b: &&Coordinates| merit(a).total_cmp(&merit(b));
     let residual = |s: &[f64]| way(s).map(|d| DVector::from_column_slice(d.as_slice()));
     let improved = |s: &Coordinates| surface.settled(&improve(s.to_vec(), residual).0);
-    // Where a ball runs into the surface beside the contact, its equations hold, but lead nowhere.
-    let fitting = cells.iter().filter(|s| surface.fits(s, distance));
-    if let Some(best) = fitting.min_by(least) {
-        let found = improved(best);
-        return Some(if surface.fits(&found, distance) {
-            found
-        } else {
-            best.clone()
-        });
+    let nearest = cells.iter().min_by(least).map(improved)?;
+    if surface.fits(&nearest, distance, 0.0) {
+        return Some(nearest);
     }
-    cells.iter().min_by(least).map(improved)
+    // Where a ball runs into the surface beside the contact its equations hold, but lead nowhere: then from where it fits
+    // well.
+    let fitting = cells.iter().filter(|s| surface.fits(s, distance, WELL));
+    let Some(best) = fitting.min_by(least) else {
+        return Some(nearest);
+    };
+    let found = improved(best);
+    Some(if surface.fits(&found, distance, WELL) {
+        found
+    } else {
+        best.clone()
+    })
 }
 
 /// Coordinates at which two surfaces come nearest to touching, normals against each other: those of the first, then those

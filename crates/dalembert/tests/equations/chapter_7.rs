@@ -644,7 +644,9 @@ fn every_set_gives_the_same_motion() {
     state.q.extend([cb * ca, cb * sa, sb]);
     let around = [-cb * sa, cb * ca, 0.0];
     let up = [-sb * ca, -sb * sa, cb];
-    state.v.extend([0, 1, 2].map(|k| -0.6 * around[k] + 0.2 * up[k]));
+    state
+        .v
+        .extend([0, 1, 2].map(|k| -0.6 * around[k] + 0.2 * up[k]));
     for frame in [ReferenceFrame::User, ReferenceFrame::Center] {
         let plain = Equations {
             frame,
