@@ -9,8 +9,9 @@ use smallvec::SmallVec;
 
 /// Part of the largest normal so far below which a pole of the parameters is reached.
 const POLE: f64 = 1e-6;
-/// Smaller over larger relative curvature at which surfaces touch along a line.
-const LINE: f64 = 1e-7;
+/// Part of the largest flatness so far at which surfaces touch along a line: the point of contact then runs along the line
+/// hundreds of times as fast as the bodies turn.
+const LINE: f64 = 1e-5;
 
 /// The contacts of a system with parameters.
 #[derive(Clone, Debug)]
@@ -29,6 +30,8 @@ struct Watched {
     seen: Option<Regularity>,
     /// The largest normals so far.
     largest: [f64; 2],
+    /// The largest smaller over larger relative curvature so far, in size.
+    roundest: f64,
 }
 
 impl ContactWatch {
@@ -49,6 +52,7 @@ impl ContactWatch {
                 middle: SmallVec::from_slice(input.s),
                 seen: None,
                 largest: [0.0; 2],
+                roundest: 0.0,
             })
         });
         Self {
@@ -101,12 +105,11 @@ impl ContactWatch {
                     });
                 }
             }
-            let bends = [before.and_then(|x| x.flatness), now.flatness];
-            let flat = match bends {
-                [Some(a), Some(b)] => a * b < 0.0 || b.abs() < LINE,
-                [_, Some(b)] => b.abs() < LINE,
-                _ => false,
-            };
+            let flat = now.flatness.is_some_and(|now| {
+                contact.roundest = contact.roundest.max(now.abs());
+                let before = before.and_then(|x| x.flatness).unwrap_or(now);
+                before * now < 0.0 || now.abs() <= LINE * contact.roundest
+            });
             if flat {
                 return Err(AnalysisError::LineContact {
                     element: format!("'{}' ({})", e.name, e.kind),
