@@ -88,8 +88,8 @@ impl Field {
         let unit = self.value / length;
         let slope = self.by.map(|by| unit.dot(&by));
         let mut field = Self::constant(unit, self.count);
-        for k in 0..self.count {
-            field.by[k] = (self.by[k] - slope[k] * unit) / length;
+        for (own, (by, slope)) in field.by.iter_mut().zip(self.by.iter().zip(slope)) {
+            *own = (by - slope * unit) / length;
         }
         for k in 0..self.count {
             for l in 0..self.count {
