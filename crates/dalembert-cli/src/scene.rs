@@ -206,6 +206,12 @@ fn shape(s: &DrawnShape) -> Shape {
             tube: *tube,
         }
         .into(),
+        DrawnForm::Sheet(sheet) => animation::Solid::Surface {
+            nu: sheet.nu,
+            nv: sheet.nv,
+            points: sheet.points.as_flattened().to_vec(),
+        }
+        .into(),
         DrawnForm::Mesh {
             vertices,
             triangles,

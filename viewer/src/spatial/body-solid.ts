@@ -16,6 +16,8 @@ const MOST_TRIANGLES = 60_000;
 /** How much of a body with holes hides what is behind it. */
 const HOLED = 0.62;
 const HOLE = 0.3;
+/** A surface by itself, on which something slides. */
+const SHEET = 0.35;
 
 /** The solid of a body, and the surfaces of it that can be pointed at. */
 export interface BodySolid {
@@ -44,9 +46,14 @@ export function bodySolid(shapes: readonly Shape[], struts: readonly BufferGeome
     if (!geometry) continue;
     const lines = shape.form.kind === "surface" ? surfaceLines(shape.form.nu, shape.form.nv, shape.form.points) : edgesOf(geometry);
     geometry.applyMatrix4(placement(shape));
+    if (shape.form.kind === "surface") {
+      const sheet = new Mesh(geometry, materials.glass(own, SHEET));
+      sheet.renderOrder = 1;
+      group.add(sheet);
+    }
     // One by one: a mesh has more numbers than a call may have arguments.
     for (const number of moved(lines, placement(shape))) edges.push(number);
-    keep(geometry, own);
+    if (shape.form.kind !== "surface") keep(geometry, own);
   }
   for (const strut of struts) keep(strut, color);
 

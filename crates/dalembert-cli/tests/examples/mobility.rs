@@ -25,7 +25,7 @@ const MOBILITY: [(&str, i64, i64, i64); 52] = [
     ("double-pendulum", 6, 4, 2),
     ("double-rocker", 9, 8, 1),
     ("double-universal-joint", 18, 17, 1),
-    ("ellipsoid-on-plane", 10, 5, 5),
+    ("ellipsoid-on-plane", 11, 6, 5),
     ("four-bar", 9, 8, 1),
     // The same linkage as crank-rocker, in space.
     ("four-revolutes", 18, 17, -2),

@@ -2,10 +2,11 @@
 
 use super::aligned::align;
 use super::newton::{NewtonOptions, correct_positions, correct_velocities};
+use super::sides::right_sides;
 use super::weights::Weights;
 use super::{AnalysisError, ChangedRate};
 use crate::formulation::column_scale;
-use crate::joint::{RowUnit, sum_of};
+use crate::joint::RowUnit;
 use crate::space::{Space, Tuple, norm};
 use crate::system::Phase;
 use crate::system::{State, System, Workspace};
@@ -55,7 +56,6 @@ impl Assembly {
         &self,
         system: &System<S>,
     ) -> Result<(State, AssemblyReport), AnalysisError> {
-        let mut state = system.estimate.clone();
         let mut report = AssemblyReport::default();
         let positions = system.start_positions();
         let mut ws = Workspace::new(&positions);
@@ -73,27 +73,34 @@ impl Assembly {
             right_sides(&positions, &mut ws, start)?;
             Ok(found)
         };
+        let mut estimate = system.estimate.clone();
+        move_apart(&positions, &mut estimate.q);
+        let mut state = estimate.clone();
         let mut newton = solve(&mut state, &weights);
         if matches!(
             newton,
             Err(AnalysisError::NotAssembled { .. } | AnalysisError::WrongSide { .. })
         ) {
-            let mut start = system.estimate.clone();
+            let mut start = estimate.clone();
             if align(&positions, &mut Workspace::new(&positions), &mut start.q)
                 && let Ok(found) = solve(&mut start, &weights)
             {
                 (state, newton) = (start, Ok(found));
             }
         }
-        if matches!(newton, Err(AnalysisError::NotAssembled { .. })) {
+        if matches!(
+            newton,
+            Err(AnalysisError::NotAssembled { .. } | AnalysisError::WrongSurface { .. })
+        ) {
             // A body of unknown angle turns first, but a turn reaches no farther than its arm: then everything moves
-            // alike. And where bodies stand in a line, no small motion brings them nearer: then from beside it.
+            // alike. And where bodies stand in a line, or surfaces at right angles, no small motion is better than its
+            // opposite: then from beside it.
             let even = Weights::even(&positions);
             for attempt in 0..=ATTEMPTS {
                 if attempt == 0 && !uneven(&system.position_weight) {
                     continue;
                 }
-                let mut start = system.estimate.clone();
+                let mut start = estimate.clone();
                 beside(system, &mut start.q, attempt);
                 if let Ok(found) = solve(&mut start, &even) {
                     (state, newton) = (start, Ok(found));
@@ -180,33 +187,43 @@ impl Assembly {
     }
 }
 
-/// Cosine below which axes that should stand alike do not. Where rows hold it is 1, 0 (axes exchanged) or -1 (opposite).
-const ALIKE: f64 = 0.5;
-
-/// Refuses a pose in which the rows of an element hold with other axes than those that are meant.
-fn right_sides<S: Space>(
-    system: &System<S>,
-    ws: &mut Workspace<S>,
-    state: &State,
-) -> Result<(), AnalysisError> {
-    system.update_markers(&state.q, &state.v, ws);
-    let wrong = system.elements.iter().filter(|e| {
-        let alike = e.element.alike();
-        let apart =
-            |markers: &[S::Marker]| alike.iter().any(|terms| sum_of(terms, markers) < ALIKE);
-        !alike.is_empty() && apart(&ws.seen(&e.markers))
-    });
-    let names: Vec<String> = wrong
-        .map(|e| format!("'{}' ({})", e.name, e.kind))
-        .collect();
-    if names.is_empty() {
-        return Ok(());
+/// Moves bodies out of each other's centres where any direction is as good as another: along gravity.
+fn move_apart<S: Space>(system: &System<S>, q: &mut [f64]) {
+    let mut ws = Workspace::new(system);
+    system.update_markers(q, &vec![0.0; system.nv()], &mut ws);
+    let mut down = system.gravity.clone();
+    let length = norm(&down);
+    if length > 0.0 {
+        down.iter_mut().for_each(|g| *g /= length);
+    } else {
+        down[S::LINEAR - 1] = -1.0;
     }
-    Err(AnalysisError::WrongSide {
-        time: state.t,
-        elements: crate::words::listed(&names),
-    })
+    let mut step = vec![0.0; system.nv()];
+    for e in &system.elements {
+        let Some(distance) = e.element.apart() else {
+            continue;
+        };
+        let [one, two] = [e.markers[0], e.markers[1]];
+        let [p, r] = [one, two].map(|m| S::point(&ws.markers[m]));
+        let between: Vec<f64> = p.iter().zip(&r).map(|(p, r)| r - p).collect();
+        if norm(&between) > COINCIDENT * distance {
+            continue;
+        }
+        // The second body falls, or the first where the second is the ground.
+        let falling = system.markers[two].body.or(system.markers[one].body);
+        if let Some(b) = falling {
+            for (k, d) in down.iter().enumerate() {
+                step[b * S::NV + k] = distance * d;
+            }
+        }
+    }
+    if step.iter().any(|x| *x != 0.0) {
+        system.advance(q, 1.0, &step);
+    }
 }
+
+/// Part of the distance at which centres have no direction from one to the other.
+const COINCIDENT: f64 = 1e-6;
 
 /// Passes of the velocities: each leaves a ten-thousandth of what the one before left.
 const PASSES: usize = 4;

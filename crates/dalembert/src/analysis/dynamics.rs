@@ -181,7 +181,7 @@ impl Dynamics {
         }
         let mut results = recorder.into_results(&system.name, "simulate");
         notes.extend(open.notes());
-        notes.extend(pulling(&results));
+        notes.extend(pulling(&running, &results));
         if stopped.is_none() && integrator.stiffness.since.is_some() {
             let fastest = motion.stiffest(integrator.t, &integrator.y);
             notes.extend(Pace::note(steps, &integrator.stiffness, fastest.as_ref()));

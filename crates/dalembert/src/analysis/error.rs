@@ -39,6 +39,46 @@ pub enum AnalysisError {
         /// The joints, in words.
         elements: String,
     },
+    /// Surfaces whose rows hold, but whose bodies lie on the same side, or behind a pole.
+    #[error(
+        "the machine came together wrongly at t = {} s: in {elements} the bodies would lie on the same side of their surfaces; \
+         turn or move the estimates of the bodies nearer to the pose that is meant, give `parameters` of the contact, or \
+         reverse the z axis of a surface's frame (axes)",
+        readable(*time)
+    )]
+    WrongSurface {
+        /// Time [s].
+        time: f64,
+        /// The contacts, in words.
+        elements: String,
+    },
+    /// A contact came to a pole of a surface's parameters.
+    #[error(
+        "at t = {time:.6} s the contact {element} came to a pole of the {surface} surface, where its parameters a and b do \
+         not determine the tangents; {remedy}"
+    )]
+    SurfacePole {
+        /// The contact, in words.
+        element: String,
+        /// "first" or "second".
+        surface: &'static str,
+        /// Time [s].
+        time: f64,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// Surfaces that touched in a point touch along a line.
+    #[error(
+        "at t = {time:.6} s the surfaces of {element} touch along a line, or fit into each other: their point of contact is \
+         not determined there; end the motion before, or use a joint that holds the line (start the machine with the line \
+         in contact)"
+    )]
+    LineContact {
+        /// The contact, in words.
+        element: String,
+        /// Time [s].
+        time: f64,
+    },
     /// Rows that hold for velocities only leave the positions to the way that a machine takes.
     #[error(
         "velocities alone are held by {elements} (rolling, a blade): where the machine is depends on its way, which only \

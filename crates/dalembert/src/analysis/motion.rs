@@ -1,5 +1,6 @@
 //! The equations of motion as an ordinary differential equation.
 
+use super::contact_watch::ContactWatch;
 use super::massless;
 use super::meeting::Meeting;
 use super::recorder::{energies, outside_power};
@@ -31,6 +32,7 @@ pub struct Motion<'a, S: Space> {
     zero: Vec<f64>,
     tolerance: f64,
     meeting: Meeting<S>,
+    contacts: ContactWatch,
     /// Masses as the solver sees them, and metric of the projections.
     pub(super) metric: Metric,
 }
@@ -49,6 +51,7 @@ impl<'a, S: Space> Motion<'a, S> {
             rate: vec![0.0; system.rows],
             zero: vec![0.0; system.nv()],
             meeting: Meeting::new(system),
+            contacts: ContactWatch::new(system),
             metric: system.metric.clone(),
             tolerance: (1e-3 * options.tolerance).clamp(1e-14, 1e-11),
         }
@@ -119,8 +122,10 @@ impl<'a, S: Space> Motion<'a, S> {
         jumping(self.system, &mut self.ws, &state)
     }
 
-    /// Refuses an accepted step, whose markers the workspace holds, in which points met.
+    /// Refuses an accepted step, whose markers the workspace holds, in which points met or a contact came to a place where its
+    /// equations fail.
     pub(super) fn passed(&mut self, t: f64) -> Result<(), AnalysisError> {
+        self.contacts.step(self.system, &self.ws, t)?;
         self.meeting.step(self.system, &self.ws, t)
     }
 

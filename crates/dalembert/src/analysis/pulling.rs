@@ -1,27 +1,68 @@
 //! Contacts that would have to pull.
 
 use crate::results::Results;
+use crate::space::Space;
+use crate::system::System;
 
 /// Pulls below this part of the largest push of a contact so far are rounding.
 const ROUNDING: f64 = 1e-9;
 
+/// Normal forces of the contacts that hold both ways although their surfaces would part.
+fn forces<'a, S: Space>(
+    system: &'a System<S>,
+    results: &'a Results,
+) -> impl Iterator<Item = (&'a str, &'a [f64])> {
+    let parting = system
+        .elements
+        .iter()
+        .filter(|e| !e.element.holds_both_ways());
+    parting.filter_map(|e| {
+        let force = results.channel(&format!("{}.normal_force", e.name))?;
+        Some((e.name.as_str(), &force.values[..]))
+    })
+}
+
 /// Names the contacts of a run that would have to pull: they hold both ways, real surfaces part there.
-pub(super) fn pulling(results: &Results) -> Vec<String> {
+pub(super) fn pulling<S: Space>(system: &System<S>, results: &Results) -> Vec<String> {
     let Some(time) = results.channel("time") else {
         return Vec::new();
     };
-    let contacts = results.channels.iter().filter_map(|c| {
-        let name = c.name.strip_suffix(".normal_force")?;
-        let mut largest = 0.0_f64;
-        let pulls = |(_, force): &(&f64, &f64)| {
-            largest = largest.max(force.abs());
-            **force < -ROUNDING * largest
-        };
-        let (t, force) = time.values.iter().zip(&c.values).find(pulls)?;
+    let contacts = forces(system, results).filter_map(|(name, force)| {
+        let k = first_pull(force)?;
+        let (t, force) = (time.values.get(k)?, force[k]);
         Some(format!(
             "warning: from t = {t:.6} s on the contact '{name}' would have to pull (normal force {force:.3e} N): real \
              surfaces part there"
         ))
     });
     contacts.collect()
+}
+
+/// The same for poses at rest: the instants are equilibria.
+pub(super) fn pulling_at_rest<S: Space>(system: &System<S>, results: &Results) -> Vec<String> {
+    let all: Vec<(&str, &[f64])> = forces(system, results).collect();
+    let count = results.len();
+    let mut notes = Vec::new();
+    for k in 0..count {
+        for (name, force) in &all {
+            let largest = force.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+            if force[k] < -ROUNDING * largest {
+                notes.push(format!(
+                    "warning: at equilibrium {} the contact '{name}' would have to pull (normal force {:.3e} N): real surfaces \
+                     part there",
+                    k + 1,
+                    force[k]
+                ));
+            }
+        }
+    }
+    notes
+}
+
+fn first_pull(force: &[f64]) -> Option<usize> {
+    let mut largest = 0.0_f64;
+    force.iter().position(|force| {
+        largest = largest.max(force.abs());
+        *force < -ROUNDING * largest
+    })
 }

@@ -15,6 +15,7 @@ mod measure_rows;
 mod planar_measure;
 mod point_on_curve;
 mod point_on_surface;
+mod regularity;
 mod rolling;
 mod rolling_on_plane;
 mod spatial_measure;
@@ -33,6 +34,7 @@ pub use measure_rows::{MeasureRow, MeasureRows, MeasureTerm, SumOfMeasures, sum_
 pub use planar_measure::PlanarMeasure;
 pub use point_on_curve::PointOnCurve;
 pub use point_on_surface::PointOnSurface;
+pub use regularity::Regularity;
 pub use rolling::RollingOnCircle;
 pub use rolling_on_plane::RollingOnPlane;
 pub use spatial_measure::SpatialMeasure;
@@ -42,6 +44,7 @@ pub use time_function::{RateIntegral, TimeFunction};
 pub use velocity_rows::VelocityRows;
 
 use crate::space::Space;
+use crate::surface::Sheet;
 use std::fmt::Debug;
 use std::ops::Range;
 
@@ -129,6 +132,38 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     /// zero or negative.
     fn alike(&self) -> &[SumOfMeasures<S>] {
         &[]
+    }
+    /// How far its surfaces reach from their markers [m]; zero for elements without surfaces.
+    fn reach(&self) -> f64 {
+        0.0
+    }
+    /// Of surfaces that touch the cosine between the first normal and the opposite of the second: one where they touch from
+    /// outside, less than zero where the bodies lie on the same side. None for other elements.
+    fn facing(&self, _input: &ConstraintInput<'_, S>) -> Option<f64> {
+        None
+    }
+    /// How regular the contact of surfaces is; none for other elements.
+    fn regularity(&self, _input: &ConstraintInput<'_, S>) -> Option<Regularity> {
+        None
+    }
+    /// The distance of points that may start at the same place, because any direction is as good as another [m].
+    fn apart(&self) -> Option<f64> {
+        None
+    }
+    /// Its auxiliary coordinates as results give them, by name: of surfaces the parameters a and b. `last` are the values of
+    /// the instant before, or nothing; angles are given on the turn that is nearest to them.
+    fn parameters(&self, s: &[f64], _last: &[f64]) -> Vec<(String, f64)> {
+        let labels = self.auxiliaries().into_iter();
+        labels.map(|l| l.text).zip(s.iter().copied()).collect()
+    }
+    /// Its surfaces around the points with these auxiliary coordinates, as far as a size [m], in the frames of the markers
+    /// with these numbers: for the picture.
+    fn sheets(&self, _s: &[f64], _size: f64) -> Vec<(usize, Sheet)> {
+        Vec::new()
+    }
+    /// Does a contact hold where it would have to pull, by intention?
+    fn holds_both_ways(&self) -> bool {
+        false
     }
     /// The force of a contact whose rows have these multipliers; none for other elements.
     fn contact(

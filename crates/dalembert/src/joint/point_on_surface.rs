@@ -1,26 +1,45 @@
 //! A point, or a ball about it, that stays on a surface.
 
+use super::surface_contact::unit_row;
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, ContactForce, RowLabel, RowUnit,
+    ConstraintElement, ConstraintInput, ConstraintOutput, ContactForce, Regularity, RowLabel,
+    RowUnit,
 };
 use crate::space::{Spatial, SpatialMarker, join};
-use crate::surface::{Field, Surface};
-use nalgebra::Vector3;
+use crate::surface::{Field, Sheet, Surface, SurfaceShape};
+use nalgebra::{Matrix3, Vector3};
 
 /// The point c of one marker keeps the distance R from the surface of another: r + A (u(s) + R n(s)) - c = 0, with n the
-/// unit normal out of the surface's body and s its two parameters as auxiliary coordinates. With R = 0 the point lies on
-/// the surface, with R > 0 a ball of that radius touches it.
+/// unit normal out of the surface's body and s the coordinates of a point of it as auxiliary coordinates; (w.w - 1)/2 = 0
+/// where they are a unit vector w. With R = 0 the point lies on the surface, with R > 0 a ball of that radius touches it.
 #[derive(Clone, Debug)]
 pub struct PointOnSurface {
     /// The surface.
-    pub surface: Surface,
+    surface: Surface,
     /// R [m].
-    pub distance: f64,
+    distance: f64,
     /// Does the surface belong to the second marker, the point to the first?
-    pub reversed: bool,
+    reversed: bool,
+    /// The parameter a near which results give it.
+    near: f64,
+    /// The side of the axis on which the surface is swept.
+    sense: f64,
 }
 
 impl PointOnSurface {
+    /// A contact at a distance that starts at coordinates of the surface, near a parameter a; `reversed` says that the
+    /// surface belongs to the second marker, the point to the first.
+    pub fn new(surface: Surface, distance: f64, reversed: bool, start: &[f64], near: f64) -> Self {
+        let sense = surface.sense(start);
+        Self {
+            surface,
+            distance,
+            reversed,
+            near,
+            sense,
+        }
+    }
+
     /// Numbers of the markers of the surface and of the point.
     fn order(&self) -> [usize; 2] {
         if self.reversed { [1, 0] } else { [0, 1] }
@@ -28,30 +47,83 @@ impl PointOnSurface {
 
     /// The way to the point's place from the frame of the surface, and the normal, in ground axes.
     fn fields(&self, marker: &SpatialMarker, s: &[f64]) -> [Field; 2] {
-        let partials = self.surface.partials(s);
-        let normal = self.surface.normal(&partials).unit();
-        let offset = Field::point(&partials).plus(self.distance, &normal);
+        let around = self.surface.around(s);
+        let normal = around.normal.unit();
+        let offset = around.point.plus(self.distance, &normal);
         [offset.turned(&marker.axes), normal.turned(&marker.axes)]
     }
 }
 
 impl ConstraintElement<Spatial> for PointOnSurface {
     fn labels(&self) -> Vec<RowLabel> {
-        ["contact x", "contact y", "contact z"]
-            .map(|text| RowLabel {
-                text: text.to_owned(),
-                unit: RowUnit::Length,
-            })
-            .to_vec()
+        let label = |text: &str, unit| RowLabel {
+            text: text.to_owned(),
+            unit,
+        };
+        let mut labels = ["contact x", "contact y", "contact z"]
+            .map(|text| label(text, RowUnit::Length))
+            .to_vec();
+        if self.surface.is_round() {
+            labels.push(label("length of w", RowUnit::Angle));
+        }
+        labels
     }
 
     fn auxiliaries(&self) -> Vec<RowLabel> {
-        ["a", "b"]
-            .map(|text| RowLabel {
-                text: text.to_owned(),
-                unit: RowUnit::Other,
-            })
-            .to_vec()
+        let names = self.surface.coordinate_names().iter();
+        let labels = names.map(|text| RowLabel {
+            text: (*text).to_owned(),
+            unit: RowUnit::Other,
+        });
+        labels.collect()
+    }
+
+    fn parameters(&self, s: &[f64], last: &[f64]) -> Vec<(String, f64)> {
+        let near = last.first().copied().unwrap_or(self.near);
+        let [a, b] = self.surface.parameters(s, near);
+        vec![("a".to_owned(), a), ("b".to_owned(), b)]
+    }
+
+    fn sheets(&self, s: &[f64], size: f64) -> Vec<(usize, Sheet)> {
+        let [base, other] = self.order();
+        let own = self.surface.sheet(s, size).map(|sheet| (base, sheet));
+        let ball = (self.distance > 0.0).then_some(Surface {
+            shape: SurfaceShape::Sphere(self.distance),
+            inside: false,
+        });
+        let ball = ball.and_then(|b| Some((other, b.sheet(&[0.0, 0.0, 1.0], size)?)));
+        own.into_iter().chain(ball).collect()
+    }
+
+    fn holds_both_ways(&self) -> bool {
+        self.distance == 0.0
+    }
+
+    fn reach(&self) -> f64 {
+        self.surface.reach().max(self.distance)
+    }
+
+    fn facing(&self, input: &ConstraintInput<'_, Spatial>) -> Option<f64> {
+        // The distance is counted along the normal: only a normal that has turned round is on the wrong side.
+        Some(self.surface.sense(input.s) * self.sense)
+    }
+
+    fn regularity(&self, input: &ConstraintInput<'_, Spatial>) -> Option<Regularity> {
+        let ball = if self.distance > 0.0 {
+            self.surface.curvature(input.s)
+        } else {
+            None
+        };
+        let normal = self.surface.around(input.s).normal.value;
+        let flatness = ball.map(|own| {
+            let n = normal.normalize();
+            let round = (Matrix3::identity() - n * n.transpose()) / self.distance;
+            Regularity::flatness(&(own - round))
+        });
+        Some(Regularity {
+            normals: [self.surface.regularity(input.s), None],
+            flatness,
+        })
     }
 
     fn contact(
@@ -63,7 +135,7 @@ impl ConstraintElement<Spatial> for PointOnSurface {
         let marker = &input.markers[base];
         let [offset, normal] = self.fields(marker, input.s);
         // C = (surface) - (point): the multipliers are the force on the point's body.
-        let force = Vector3::from_column_slice(multipliers);
+        let force = Vector3::from_column_slice(&multipliers[..3]);
         Some(ContactForce {
             normal: force.dot(&normal.value),
             point: marker.point + offset.value - self.distance * normal.value,
@@ -79,16 +151,26 @@ impl ConstraintElement<Spatial> for PointOnSurface {
         let (marker, point) = (&input.markers[base], &input.markers[other]);
         let [f, _] = self.fields(marker, input.s);
         let bias = f.bias(input.s_rate, &marker.omega);
+        let count = input.s.len();
         for k in 0..3 {
             let mut e = Vector3::zeros();
             e[k] = 1.0;
             out.value[k] = marker.point[k] + f.value[k] - point.point[k];
             out.gradient[2 * k + base] = join(&e, &f.value.cross(&e));
             out.gradient[2 * k + other] = join(&-e, &Vector3::zeros());
-            for m in 0..2 {
-                out.auxiliary[2 * k + m] = f.by[m][k];
+            for m in 0..count {
+                out.auxiliary[count * k + m] = f.by[m][k];
             }
             out.bias[k] = bias[k];
+        }
+        if self.surface.is_round() {
+            unit_row(
+                input.s,
+                input.s_rate,
+                &mut out.value[3],
+                &mut out.auxiliary[3 * count..],
+                &mut out.bias[3],
+            );
         }
     }
 }

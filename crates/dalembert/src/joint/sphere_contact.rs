@@ -5,6 +5,7 @@ use super::{
     MeasureRows, RowLabel, SpatialMeasure,
 };
 use crate::space::Spatial;
+use crate::surface::{Sheet, Surface, SurfaceShape};
 use smallvec::smallvec;
 
 /// Two spheres about the points of the markers that touch: |d| = R1 + R2, or |R1 - R2| where one lies inside the other.
@@ -14,6 +15,8 @@ pub struct SphereContact {
     /// Radius of the first sphere, negative where it lies around the second or the second around it.
     first: f64,
     inside: bool,
+    /// Of the centres.
+    distance: f64,
 }
 
 impl SphereContact {
@@ -40,6 +43,7 @@ impl SphereContact {
                 first
             },
             inside,
+            distance,
         }
     }
 }
@@ -51,6 +55,26 @@ impl ConstraintElement<Spatial> for SphereContact {
 
     fn distances(&self) -> Vec<Measure<Spatial>> {
         self.rows.distances()
+    }
+
+    fn sheets(&self, _: &[f64], size: f64) -> Vec<(usize, Sheet)> {
+        let first = self.first.abs();
+        let second = (self.distance - self.first).abs();
+        let sphere = |radius| Surface {
+            shape: SurfaceShape::Sphere(radius),
+            inside: false,
+        };
+        let sheet = |radius| sphere(radius).sheet(&[0.0, 0.0, 1.0], size);
+        let sheets = [first, second].into_iter().enumerate();
+        sheets.filter_map(|(k, r)| Some((k, sheet(r)?))).collect()
+    }
+
+    fn reach(&self) -> f64 {
+        self.first.abs().max((self.distance - self.first).abs())
+    }
+
+    fn apart(&self) -> Option<f64> {
+        Some(self.distance)
     }
 
     fn contact(

@@ -47,7 +47,8 @@ pub enum SurfaceForm {
         /// z(b), an expression of `b`.
         z: Value,
     },
-    /// Any surface, by expressions of `a` and `b`.
+    /// Any surface, by expressions of `a` and `b`, which are plain numbers: a bowl is
+    /// `x = "a * 1 m", y = "b * 1 m", z = "(a^2 + b^2) * 0.5 m"`.
     Expression {
         /// x(a, b).
         x: Value,

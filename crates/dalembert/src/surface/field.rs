@@ -3,15 +3,18 @@
 use super::Partials;
 use nalgebra::{Matrix3, Vector3};
 
-/// A vector that is a function of the two parameters of a surface, with its first and second derivatives by them.
+/// A vector that is a function of the two or three coordinates of a point of a surface, with its first and second
+/// derivatives by them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Field {
     /// Value.
     pub value: Vector3<f64>,
-    /// First derivatives.
-    pub by: [Vector3<f64>; 2],
+    /// First derivatives; the third is zero where there are two coordinates.
+    pub by: [Vector3<f64>; 3],
     /// Second derivatives.
-    pub second: [[Vector3<f64>; 2]; 2],
+    pub second: [[Vector3<f64>; 3]; 3],
+    /// Number of coordinates.
+    count: usize,
 }
 
 /// Orders of differentiation by (first, second) parameter for an index.
@@ -32,87 +35,107 @@ impl Field {
     }
 
     fn derivative(p: &Partials, i: usize, j: usize) -> Self {
-        let by = |k: usize| {
+        let mut field = Self::constant(p.of(i, j), 2);
+        for k in 0..2 {
             let (a, b) = orders(k);
-            p.of(i + a, j + b)
-        };
-        let second = |k: usize, l: usize| {
-            let ((a, b), (c, d)) = (orders(k), orders(l));
-            if i + j + 2 > 3 {
-                return Vector3::zeros();
+            field.by[k] = p.of(i + a, j + b);
+            // Third derivatives are the highest that are known and needed.
+            for l in 0..if i + j < 2 { 2 } else { 0 } {
+                let (c, d) = orders(l);
+                field.second[k][l] = p.of(i + a + c, j + b + d);
             }
-            p.of(i + a + c, j + b + d)
-        };
-        Self {
-            value: p.of(i, j),
-            by: [by(0), by(1)],
-            second: [[second(0, 0), second(0, 1)], [second(1, 0), second(1, 1)]],
         }
+        field
+    }
+
+    fn constant(value: Vector3<f64>, count: usize) -> Self {
+        Self {
+            value,
+            by: [Vector3::zeros(); 3],
+            second: [[Vector3::zeros(); 3]; 3],
+            count,
+        }
+    }
+
+    /// The field diag(factors) w of three coordinates w.
+    pub fn scaled(factors: &Vector3<f64>, w: &Vector3<f64>) -> Self {
+        let mut field = Self::constant(factors.component_mul(w), 3);
+        for k in 0..3 {
+            field.by[k][k] = factors[k];
+        }
+        field
     }
 
     /// The cross product of two fields over the same surface.
     pub fn cross(&self, other: &Self) -> Self {
         let (a, b) = (self, other);
-        let pair = |k: usize, l: usize| {
-            a.second[k][l].cross(&b.value)
-                + a.by[k].cross(&b.by[l])
-                + a.by[l].cross(&b.by[k])
-                + a.value.cross(&b.second[k][l])
-        };
-        Self {
-            value: a.value.cross(&b.value),
-            by: [0, 1].map(|k| a.by[k].cross(&b.value) + a.value.cross(&b.by[k])),
-            second: [0, 1].map(|k| [0, 1].map(|l| pair(k, l))),
+        let mut field = Self::constant(a.value.cross(&b.value), a.count);
+        for k in 0..a.count {
+            field.by[k] = a.by[k].cross(&b.value) + a.value.cross(&b.by[k]);
+            for l in 0..a.count {
+                field.second[k][l] = a.second[k][l].cross(&b.value)
+                    + a.by[k].cross(&b.by[l])
+                    + a.by[l].cross(&b.by[k])
+                    + a.value.cross(&b.second[k][l]);
+            }
         }
+        field
     }
 
     /// The field with unit length; it must not vanish.
     pub fn unit(&self) -> Self {
         let length = self.value.norm();
         let unit = self.value / length;
-        let slope = [0, 1].map(|k: usize| unit.dot(&self.by[k]));
-        let by = [0, 1].map(|k: usize| (self.by[k] - slope[k] * unit) / length);
-        let second = |k: usize, l: usize| {
-            let bend = by[l].dot(&self.by[k]) + unit.dot(&self.second[k][l]);
-            (self.second[k][l] - slope[k] * by[l] - bend * unit - slope[l] * by[k]) / length
-        };
-        Self {
-            value: unit,
-            by,
-            second: [0, 1].map(|k| [0, 1].map(|l| second(k, l))),
+        let slope = self.by.map(|by| unit.dot(&by));
+        let mut field = Self::constant(unit, self.count);
+        for (own, (by, slope)) in field.by.iter_mut().zip(self.by.iter().zip(slope)) {
+            *own = (by - slope * unit) / length;
         }
+        for k in 0..self.count {
+            for l in 0..self.count {
+                let bend = field.by[l].dot(&self.by[k]) + unit.dot(&self.second[k][l]);
+                let turned = slope[k] * field.by[l] + bend * unit + slope[l] * field.by[k];
+                field.second[k][l] = (self.second[k][l] - turned) / length;
+            }
+        }
+        field
     }
 
     /// The sum with a multiple of another field over the same surface.
     pub fn plus(&self, factor: f64, other: &Self) -> Self {
-        Self {
-            value: self.value + factor * other.value,
-            by: [0, 1].map(|k: usize| self.by[k] + factor * other.by[k]),
-            second: [0, 1].map(|k: usize| {
-                [0, 1].map(|l: usize| self.second[k][l] + factor * other.second[k][l])
-            }),
+        let mut field = *self;
+        field.value += factor * other.value;
+        for k in 0..self.count {
+            field.by[k] += factor * other.by[k];
+            for l in 0..self.count {
+                field.second[k][l] += factor * other.second[k][l];
+            }
         }
+        field
     }
 
     /// The field in other axes: the columns of `axes` are the axes in which it is given.
     pub fn turned(&self, axes: &Matrix3<f64>) -> Self {
-        Self {
-            value: axes * self.value,
-            by: self.by.map(|x| axes * x),
-            second: self.second.map(|row| row.map(|x| axes * x)),
+        let mut field = Self::constant(axes * self.value, self.count);
+        for k in 0..self.count {
+            field.by[k] = axes * self.by[k];
+            for l in 0..self.count {
+                field.second[k][l] = axes * self.second[k][l];
+            }
         }
+        field
     }
 
-    /// Rate with the parameters' rates s' and the angular velocity of the surface.
+    /// Rate with the coordinates' rates s' and the angular velocity of the surface.
     pub fn rate(&self, s: &[f64], omega: &Vector3<f64>) -> Vector3<f64> {
         omega.cross(&self.value) + self.along(s)
     }
 
-    /// Second rate where the accelerations of the parameters and of the surface's frame vanish.
+    /// Second rate where the accelerations of the coordinates and of the surface's frame vanish.
     pub fn bias(&self, s: &[f64], omega: &Vector3<f64>) -> Vector3<f64> {
         let mut bend = Vector3::zeros();
-        for k in 0..2 {
-            for l in 0..2 {
+        for k in 0..self.count {
+            for l in 0..self.count {
                 bend += s[k] * s[l] * self.second[k][l];
             }
         }
@@ -120,6 +143,7 @@ impl Field {
     }
 
     fn along(&self, s: &[f64]) -> Vector3<f64> {
-        s[0] * self.by[0] + s[1] * self.by[1]
+        let parts = self.by[..self.count].iter().zip(s);
+        parts.fold(Vector3::zeros(), |sum, (by, s)| sum + *s * by)
     }
 }

@@ -137,7 +137,7 @@ impl Surface {
         }
     }
 
-    /// The normal out of the body, of the length of t_a x t_b; it vanishes at poles.
+    /// The normal out of the body by the parameters a and b, of the length of t_a x t_b; it vanishes at poles.
     pub fn normal(&self, partials: &Partials) -> Field {
         let (a, b) = (Field::tangent(partials, 0), Field::tangent(partials, 1));
         if self.inside {
@@ -165,7 +165,12 @@ impl Surface {
             SurfaceShape::Sphere(_) | SurfaceShape::Ellipsoid(_) => {
                 [around, [-FRAC_PI_2, FRAC_PI_2]]
             }
-            SurfaceShape::Cylinder(_) | SurfaceShape::Cone(..) => [around, about(near.z)],
+            SurfaceShape::Cylinder(_) => [around, about(near.z)],
+            SurfaceShape::Cone(_, height) => {
+                // Behind the apex lies another cone.
+                let [from, to] = about(near.z);
+                [around, [from.min(height - reach), to.min(*height)]]
+            }
             SurfaceShape::Torus(..) => [around, [-PI, PI]],
             SurfaceShape::Revolved(_) => [around, [-reach.max(1.0), reach.max(1.0)]],
             SurfaceShape::Expressions(..) => {

@@ -7,14 +7,15 @@ use crate::space::Space;
 const ROUNDING: f64 = 1e-12;
 
 impl<S: Space> System<S> {
-    /// The characteristic length: the farthest reach of a marker from its body's centre, or, where
-    /// all are at their centres, the extent of the estimate.
+    /// The characteristic length: the farthest reach of a marker from its body's centre or of a surface from its marker,
+    /// or, where all are at their centres, the extent of the estimate.
     pub(crate) fn set_size(&mut self) {
         let arms = self
             .markers
             .iter()
             .filter(|m| m.body.is_some())
             .map(|m| S::arm(&m.frame))
+            .chain(self.elements.iter().map(|e| e.element.reach()))
             .fold(0.0, f64::max);
         let bodies = self.estimate.q.chunks_exact(S::NQ).take(self.bodies.len());
         let extent = bodies.map(|q| S::reach(q)[0]).fold(0.0, f64::max);

@@ -645,8 +645,14 @@ fn every_set_gives_the_same_motion() {
         "force": [{"name": "F", "kind": "force", "body": "j", "at": [0.2, 0, -0.15], "value": [5, 0, -3]}]
     }));
     let mut state = unassembled(&system);
-    state.q.extend([0.3, 0.4]);
-    state.v.extend([-0.6, 0.2]);
+    // The unit vector of a = 0.3 and b = 0.4, and its rate with a' = -0.6, b' = 0.2.
+    let ((sa, ca), (sb, cb)) = (0.3_f64.sin_cos(), 0.4_f64.sin_cos());
+    state.q.extend([cb * ca, cb * sa, sb]);
+    let around = [-cb * sa, cb * ca, 0.0];
+    let up = [-sb * ca, -sb * sa, cb];
+    state
+        .v
+        .extend([0, 1, 2].map(|k| -0.6 * around[k] + 0.2 * up[k]));
     for frame in [ReferenceFrame::User, ReferenceFrame::Center] {
         let plain = Equations {
             frame,

@@ -183,6 +183,11 @@ fn minus<D: Number>(a: &Vector<D>, b: &Vector<D>) -> Vector<D> {
     [0, 1, 2].map(|k| a[k] - b[k])
 }
 
+/// The row of a unit vector.
+fn unit<D: Number>(w: &[D]) -> D {
+    (w[0] * w[0] + w[1] * w[1] + w[2] * w[2] - 1.0) * 0.5
+}
+
 /// Parameters away from poles.
 fn somewhere(count: usize) -> impl Fn(&mut Random) -> Vec<f64> {
     move |source| {
@@ -204,12 +209,28 @@ struct Touching {
 impl Rows for Touching {
     fn rows<D: Number>(&self, a: &Marker<D>, b: &Marker<D>, s: &[D]) -> Vec<D> {
         let [one, two] = self.shapes;
-        let p = add(&a.point, &in_ground(a, &one.at(s[0], s[1])));
-        let q = add(&b.point, &in_ground(b, &two.at(s[2], s[3])));
+        let (middle, end) = (one.count(), one.count() + two.count());
+        let (s1, s2) = (&s[..middle], &s[middle..end]);
+        let p = add(&a.point, &in_ground(a, &one.over(s1)));
+        let q = add(&b.point, &in_ground(b, &two.over(s2)));
         let mut rows = minus(&p, &q).to_vec();
-        let n = in_ground(b, &two.normal(s[2], s[3], self.inside[1]));
-        for t in one.tangents(s[0], s[1]) {
-            rows.push(dot(&in_ground(a, &t), &n));
+        let n1 = in_ground(a, &one.normal_over(s1, self.inside[0]));
+        let n2 = in_ground(b, &two.normal_over(s2, self.inside[1]));
+        if one.semi_axes().is_none() {
+            for t in one.tangents(s1[0], s1[1]) {
+                rows.push(dot(&in_ground(a, &t), &n2));
+            }
+        } else if two.semi_axes().is_none() {
+            for t in two.tangents(s2[0], s2[1]) {
+                rows.push(dot(&in_ground(b, &t), &n1));
+            }
+        } else {
+            rows.extend(add(&n1, &n2.map(|x| x * s[end])));
+        }
+        for (shape, w) in [(one, s1), (two, s2)] {
+            if shape.semi_axes().is_some() {
+                rows.push(unit(w));
+            }
         }
         if let Some((place, value)) = self.held {
             rows.push(s[place] - value);
@@ -231,6 +252,8 @@ fn surfaces_that_touch() {
         [Shape::Field, ellipsoid],
         [Shape::Sphere(0.4), Shape::Torus(0.6, 0.2)],
         [Shape::Odd, Shape::Field],
+        [Shape::Plane, ellipsoid],
+        [Shape::Sphere(0.9), ellipsoid],
     ];
     // Every pair of the round ones, in both orders.
     let round = [
@@ -244,17 +267,16 @@ fn surfaces_that_touch() {
     for shapes in pairs.into_iter().chain(among) {
         for inside in flags {
             for held in [None, Some((1, 0.35)), Some((2, -0.2))] {
-                let element = SurfaceContact {
-                    surfaces: [0, 1].map(|k| shapes[k].surface(inside[k])),
-                    held,
-                };
+                let surfaces = [0, 1].map(|k| shapes[k].surface(inside[k]));
+                let element = SurfaceContact::new(surfaces, [&[0.0; 3]; 2], [0.0; 2], held);
                 let oracle = Touching {
                     shapes,
                     inside,
                     held,
                 };
                 let name = format!("{shapes:?}, inside {inside:?}, held {held:?}");
-                check(&name, &element, &oracle, somewhere(4));
+                let count = element.auxiliaries().len();
+                check(&name, &element, &oracle, somewhere(count));
             }
         }
     }
@@ -270,10 +292,15 @@ struct Near {
 impl Rows for Near {
     fn rows<D: Number>(&self, a: &Marker<D>, b: &Marker<D>, s: &[D]) -> Vec<D> {
         let (base, other) = if self.reversed { (b, a) } else { (a, b) };
-        let u = self.shape.at(s[0], s[1]);
-        let n = self.shape.unit(s[0], s[1], self.inside);
-        let way = [0, 1, 2].map(|k| u[k] + n[k] * self.distance);
-        minus(&add(&base.point, &in_ground(base, &way)), &other.point).to_vec()
+        let u = self.shape.over(s);
+        let n = self.shape.normal_over(s, self.inside);
+        let length = dot(&n, &n).sqrt();
+        let way = [0, 1, 2].map(|k| u[k] + n[k] / length * self.distance);
+        let mut rows = minus(&add(&base.point, &in_ground(base, &way)), &other.point).to_vec();
+        if self.shape.semi_axes().is_some() {
+            rows.push(unit(s));
+        }
+        rows
     }
 }
 
@@ -287,11 +314,8 @@ fn points_and_balls_on_surfaces() {
             (true, 0.15, false),
             (false, 0.15, true),
         ] {
-            let element = PointOnSurface {
-                surface: shape.surface(inside),
-                distance,
-                reversed,
-            };
+            let surface = shape.surface(inside);
+            let element = PointOnSurface::new(surface, distance, reversed, &[0.0; 3], 0.0);
             let oracle = Near {
                 shape,
                 inside,
@@ -299,7 +323,7 @@ fn points_and_balls_on_surfaces() {
                 reversed,
             };
             let name = format!("{shape:?}, inside {inside}, R {distance}, reversed {reversed}");
-            check(&name, &element, &oracle, somewhere(2));
+            check(&name, &element, &oracle, somewhere(shape.count()));
         }
     }
 }

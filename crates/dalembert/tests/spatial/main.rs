@@ -13,6 +13,7 @@ mod measures;
 mod motion;
 mod moving_machine;
 mod oracle;
+mod poles;
 mod quantities;
 mod ranks;
 mod rolling;

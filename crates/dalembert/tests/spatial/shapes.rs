@@ -109,6 +109,39 @@ impl Shape {
         }
     }
 
+    /// Semi-axes of what is given by a unit vector w instead of a and b.
+    pub fn semi_axes(self) -> Option<[f64; 3]> {
+        match self {
+            Self::Sphere(r) => Some([r; 3]),
+            Self::Ellipsoid(half) => Some(half),
+            _ => None,
+        }
+    }
+
+    /// Number of coordinates of a point.
+    pub fn count(self) -> usize {
+        if self.semi_axes().is_some() { 3 } else { 2 }
+    }
+
+    /// The point of coordinates: a and b, or w.
+    pub fn over<D: Number>(self, s: &[D]) -> Vector<D> {
+        match self.semi_axes() {
+            Some(half) => [0, 1, 2].map(|k| s[k] * half[k]),
+            None => self.at(s[0], s[1]),
+        }
+    }
+
+    /// A normal out of the body: the gradient of (x/A)^2 + (y/B)^2 + (z/C)^2 where there are semi-axes, in parts of its
+    /// largest.
+    pub fn normal_over<D: Number>(self, s: &[D], inside: bool) -> Vector<D> {
+        let Some(half) = self.semi_axes() else {
+            return self.normal(s[0], s[1], inside);
+        };
+        let least = half.iter().copied().fold(f64::INFINITY, f64::min);
+        let sign = if inside { -1.0 } else { 1.0 };
+        [0, 1, 2].map(|k| s[k] * (sign * least / half[k]))
+    }
+
     /// Both tangents.
     pub fn tangents<D: Number>(self, a: D, b: D) -> [Vector<D>; 2] {
         let (one, zero) = (D::from(1.0), D::from(0.0));

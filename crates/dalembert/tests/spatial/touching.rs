@@ -8,11 +8,11 @@ use dalembert::space::{Spatial, SpatialPose};
 use dalembert::system::{State, System};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use serde_json::{Value, json};
-use std::f64::consts::TAU;
 
 /// Rank and singular values of C_s of the only element, over its first rows.
 fn rank_of_auxiliaries(jacobian: &DMatrix<f64>, bodies: usize, rows: usize) -> usize {
-    let c_s = jacobian.view((0, 6 * bodies), (rows, 4)).into_owned();
+    let count = jacobian.ncols() - 6 * bodies;
+    let c_s = jacobian.view((0, 6 * bodies), (rows, count)).into_owned();
     let sizes = c_s.singular_values();
     sizes.iter().filter(|s| **s > 1e-9 * sizes.max()).count()
 }
@@ -39,11 +39,38 @@ fn ellipsoid() -> (System<Spatial>, State) {
     let own = pose.axes.transpose() * Vector3::new(1.5, -2.0, 3.0);
     let v_z = -0.156_794_114_976_203_08;
     state.v = vec![0.3, -0.4, v_z, own.x, own.y, own.z];
-    state.v.extend(SURFACE_RATES);
+    let [w_rate, _] = over_parameters(SURFACE[0], SURFACE[1], SURFACE_RATES, [0.0; 4]);
+    state.v.extend(w_rate);
+    state.v.extend(&SURFACE_RATES[2..]);
     // Without what holds the start.
     let mut system = system.running();
     system.estimate = state.clone();
     (system, state)
+}
+
+/// The surface parameters: a and b of the ellipsoid, then of the plane.
+const SURFACE: [f64; 4] = [
+    -0.884_305_400_048_906,
+    -0.483_101_315_692_813_8,
+    0.203_004_167_385_930_22,
+    -0.232_809_479_863_771_57,
+];
+
+/// First and second rates of the unit vector w = (cos b cos a, cos b sin a, sin b) from those of a and b.
+fn over_parameters(a: f64, b: f64, rates: [f64; 4], second: [f64; 4]) -> [[f64; 3]; 2] {
+    let ((sa, ca), (sb, cb)) = (a.sin_cos(), b.sin_cos());
+    let by_a = Vector3::new(-cb * sa, cb * ca, 0.0);
+    let by_b = Vector3::new(-sb * ca, -sb * sa, cb);
+    let by_ab = Vector3::new(sb * sa, -sb * ca, 0.0);
+    let w = Vector3::new(cb * ca, cb * sa, sb);
+    let along = Vector3::new(w.x, w.y, 0.0);
+    let [p, q] = [rates[0], rates[1]];
+    let first = p * by_a + q * by_b;
+    let bend = -p * p * along + 2.0 * p * q * by_ab - q * q * w;
+    [
+        first.into(),
+        (second[0] * by_a + second[1] * by_b + bend).into(),
+    ]
 }
 
 /// Rates of the surface parameters.
@@ -61,22 +88,17 @@ fn an_ellipsoid_on_a_plane() {
     assert_eq!((report.freedoms(), report.position_freedoms), (5, None));
     // Where it touches.
     near("R_z", &state.q[2..3], &[0.200_723_175_027_491_6], 1e-15);
-    let parameters = [
-        -0.884_305_400_048_906,
-        -0.483_101_315_692_813_8,
-        0.203_004_167_385_930_22,
-        -0.232_809_479_863_771_57,
-    ];
-    let mut found = state.q[7..11].to_vec();
-    // Longitudes count modulo a turn.
-    found[0] -= TAU * ((found[0] - parameters[0]) / TAU).round();
-    near("surface parameters", &found, &parameters, 1e-14);
+    let contact = &system.elements[0].element;
+    let found = contact.parameters(&state.q[7..], &SURFACE);
+    let found: Vec<f64> = found.iter().map(|(_, x)| *x).collect();
+    near("surface parameters", &found, &SURFACE, 1e-14);
     // v_z and the rates of the parameters fulfil C_q v = 0.
     let ws = solved(&system, &state);
     let mut rate = vec![0.0; system.rows];
     system.jac_mul(&ws, &state.v, &mut rate);
-    near("rates", &rate, &[0.0; 5], 1e-15);
-    assert_eq!(rank_of_auxiliaries(&system.dense_jacobian(&ws), 1, 5), 4);
+    near("rates", &rate, &[0.0; 6], 1e-15);
+    // Four parameters, and the length of w.
+    assert_eq!(rank_of_auxiliaries(&system.dense_jacobian(&ws), 1, 6), 5);
     // Accelerations and multipliers by (8.74).
     near(
         "acceleration",
@@ -98,9 +120,16 @@ fn an_ellipsoid_on_a_plane() {
         -6.893_115_508_469_907,
         -5.107_703_027_907_739,
     ];
-    near("s_ddot", &ws.a[6..], &second, 1e-13);
+    let [_, w] = over_parameters(SURFACE[0], SURFACE[1], SURFACE_RATES, second);
+    let expected = [&w[..], &second[2..]].concat();
+    near("s_ddot", &ws.a[6..], &expected, 1e-13);
     const NORMAL: f64 = 12.863_424_855_864_121;
-    near("lambda", &ws.lambda, &[0.0, 0.0, -NORMAL, 0.0, 0.0], 1e-13);
+    near(
+        "lambda",
+        &ws.lambda[..5],
+        &[0.0, 0.0, -NORMAL, 0.0, 0.0],
+        1e-13,
+    );
 }
 
 #[test]
@@ -372,13 +401,13 @@ fn surfaces_and_balls_agree() {
         }))
         .system
     };
-    // An ellipsoid with equal axes has parameters of its own.
+    // An ellipsoid with equal axes has coordinates of its own, w.
     let a = start_at(json!({"kind": "sphere", "radius": 0.15}), 0.01);
     let b = start_at(
         json!({"kind": "ellipsoid", "semi_axes": [0.15, 0.15, 0.15]}),
         0.01,
     );
-    assert_eq!((a.aux, b.aux), (2, 4));
+    assert_eq!((a.aux, b.aux), (2, 5));
     let [a, b] = [a, b].map(|system| run(&system, &[0.0, 0.4], 1e-11));
     for channel in [
         "ball.x",

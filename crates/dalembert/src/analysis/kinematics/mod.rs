@@ -6,6 +6,7 @@ mod multipliers;
 mod runner;
 mod watch;
 
+use super::contact_watch::ContactWatch;
 use super::contradiction::contradiction;
 use super::least_reactions::LeastReactions;
 use super::meeting::Meeting;
@@ -103,6 +104,7 @@ impl Kinematics {
         let mut least = LeastReactions::new(actuated.unwrap_or(&running));
         let mut open = OpenReactions::default();
         let meeting = Meeting::new(&running);
+        let mut contacts = ContactWatch::new(&running);
         let mut stopped = None;
         for (k, &t) in self.instants.iter().enumerate() {
             let from = state.t;
@@ -121,7 +123,8 @@ impl Kinematics {
                 stopped = Some(met.or_else(other).unwrap_or(error));
                 break;
             }
-            if let Err(error) = meeting.check(&running, &runner.ws, t) {
+            let met = meeting.check(&running, &runner.ws, t);
+            if let Err(error) = met.and_then(|()| contacts.step(&running, &runner.ws, t)) {
                 stopped = Some(error);
                 break;
             }
@@ -143,7 +146,7 @@ impl Kinematics {
         let (iterations, substeps) = (runner.iterations, runner.substeps);
         let mut results = recorder.into_results(&system.name, "kinematics");
         notes.extend(open.notes());
-        notes.extend(pulling(&results));
+        notes.extend(pulling(&running, &results));
         if running.nv() > DENSE {
             notes.push(format!(
                 "warning: not checked for singular poses between the instants: the machine has more than {DENSE} coordinates"

@@ -58,14 +58,13 @@ impl Recorder {
                 );
             }
         }
-        for (k, label) in e.element.auxiliaries().iter().enumerate() {
-            self.put(
-                name,
-                &label.text,
-                label.unit.symbol(),
-                "surface parameter",
-                ws.s[e.aux.start + k],
-            );
+        let units = e.element.auxiliaries();
+        let s = &ws.s[e.aux.clone()];
+        let last = self.last(e.element.parameters(s, &[]).len());
+        let parameters = e.element.parameters(s, &last.unwrap_or_default());
+        for ((text, value), label) in parameters.into_iter().zip(&units) {
+            let unit = label.unit.symbol();
+            self.put(name, &text, unit, "surface parameter", value);
         }
         if !self.dynamic {
             return;

@@ -22,6 +22,7 @@ pub use stability::Stability;
 
 use super::newton::NewtonOptions;
 use super::recorder::Recording;
+use super::sides::facing;
 use super::{AnalysisError, Assembly};
 use crate::results::Results;
 use crate::space::Space;
@@ -281,6 +282,10 @@ impl Statics {
         }
         let verdict = judge(problem, solution)?;
         problem.evaluate(&solution.q)?;
+        // Surfaces that touch from the wrong side are no pose of the machine.
+        if facing(problem.system, &problem.ws, problem.time()).is_err() {
+            return Ok(());
+        }
         let multipliers = problem.least_multipliers(&solution.lambda);
         let (stored, potential) = (problem.stored(), problem.potential());
         found.scale = found.scale.max(solution.scale);

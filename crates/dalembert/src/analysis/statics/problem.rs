@@ -4,6 +4,7 @@ use crate::analysis::AnalysisError;
 use crate::analysis::least_reactions::LeastReactions;
 use crate::analysis::meeting::Meeting;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
+use crate::analysis::sides::facing;
 use crate::analysis::weights::Weights;
 use crate::solve::RankError;
 use crate::space::{Space, Tuple, norm};
@@ -80,6 +81,7 @@ impl<'a, S: Space> Problem<'a, S> {
             &self.newton,
             &mut self.trial,
         )?;
+        facing(self.system, &self.ws, self.state.t)?;
         q.copy_from_slice(&self.state.q);
         Ok(())
     }

@@ -4,6 +4,7 @@ use super::problem::Problem;
 use super::{Equilibrium, Stability};
 use crate::analysis::AnalysisError;
 use crate::analysis::open_reactions::OpenReactions;
+use crate::analysis::pulling::pulling_at_rest;
 use crate::analysis::recorder::{Extra, Recorder, Recording};
 use crate::results::{Channel, Results};
 use crate::space::Space;
@@ -68,6 +69,7 @@ pub(super) fn record<S: Space>(
         .statistics
         .insert("residual".to_owned(), first.residual);
     results.notes.extend(open.notes());
+    results.notes.extend(pulling_at_rest(system, &results));
     for (k, e) in equilibria.iter().enumerate() {
         if !e.conservative {
             results.notes.push(format!(

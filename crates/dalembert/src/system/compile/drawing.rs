@@ -6,6 +6,7 @@ use super::outlines::Outlines;
 use super::place::Place;
 use crate::mass::Solid;
 use crate::model::GROUND;
+use crate::surface::Sheet;
 use crate::system::{Role, System};
 use nalgebra::{Quaternion, Vector3};
 
@@ -34,6 +35,8 @@ pub enum DrawnForm {
     Plate(f64, f64, f64),
     /// Radius of the middle circle about z, radius of the tube.
     Torus(f64, f64),
+    /// A surface as a grid of points, which one can look through.
+    Sheet(Sheet),
     /// Triangles.
     Mesh {
         /// Corners.
@@ -134,6 +137,7 @@ impl Drawing {
                 self.loads.push((e.name.clone(), on));
             }
         }
+        self.add_sheets(system);
         for f in &system.forces {
             if f.kind == "force" {
                 let on = end(system, f.markers[0]);
@@ -150,6 +154,46 @@ impl Drawing {
         }
         for t in &system.traces {
             self.traces.push((t.name.clone(), end(system, t.marker)));
+        }
+    }
+}
+
+impl Drawing {
+    /// The surfaces of contacts on bodies that have no shape of their own: else these would float.
+    fn add_sheets<S: Geometry>(&mut self, system: &System<S>) {
+        let bare: Vec<bool> = self.bodies.iter().map(|b| b.shapes.is_empty()).collect();
+        let aux = system.bodies.len() * S::NQ;
+        let bodies = system.estimate.q[..aux].chunks_exact(S::NQ);
+        // A ball alone is small beside the way on which it slides.
+        let size = bodies.fold(system.size, |m, q| m.max(S::reach(q)[0]));
+        for e in &system.elements {
+            let s = &system.estimate.q[aux + e.aux.start..aux + e.aux.end];
+            for (k, mut sheet) in e.element.sheets(s, size) {
+                let m = &system.markers[e.markers[k]];
+                // Movable bodies in their order, then the ground.
+                let body = m.body.unwrap_or(system.bodies.len());
+                if !bare.get(body).is_some_and(|bare| *bare) {
+                    continue;
+                }
+                // Frames count from the centre of mass, shapes from the body's origin.
+                let (mut at, mut turn) = (S::origin(&m.frame), S::rotation(&m.frame));
+                if let Some(b) = m.body {
+                    let own = &system.bodies[b].frame;
+                    let back = S::rotation(own).inverse();
+                    at = back * (at - S::origin(own));
+                    turn = back * turn;
+                }
+                for p in &mut sheet.points {
+                    *p = (at + turn * Vector3::from(*p)).into();
+                }
+                self.bodies[body].shapes.push(DrawnShape {
+                    form: DrawnForm::Sheet(sheet),
+                    at: [0.0; 3],
+                    quaternion: [1.0, 0.0, 0.0, 0.0],
+                    color: None,
+                    cut: false,
+                });
+            }
         }
     }
 }

@@ -61,7 +61,25 @@ impl<S: Geometry> Context<'_, S> {
             what,
         };
         let dim = Quantity::Known(Dim::LENGTH);
-        let compiled = dalembert_expr::compile(&text_of(value), &scope, dim);
+        let text = text_of(value);
+        let simple = text.chars().all(char::is_alphanumeric);
+        let product = if simple {
+            text.clone()
+        } else {
+            format!("({text})")
+        };
+        let mut compiled = dalembert_expr::compile(&text, &scope, dim);
+        if let Err(errors) = &mut compiled
+            && dalembert_expr::compile(&text, &scope, Quantity::Known(Dim::NONE)).is_ok()
+        {
+            // The names are plain numbers: without a unit the whole is one too.
+            for error in errors {
+                error.help = format!(
+                    "{} are plain numbers: make the whole a length, \"{product} * 1 m\"",
+                    names.join(" and ")
+                );
+            }
+        }
         self.accept(compiled, &place.owner, &place.key(key))
     }
 }

@@ -10,7 +10,6 @@ mod pairs;
 mod placement;
 mod shapes;
 mod surfaces;
-mod touching;
 
 use super::built::Built;
 use super::context::{Context, GlobalMeasure};

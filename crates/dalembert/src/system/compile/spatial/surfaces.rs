@@ -4,15 +4,17 @@ use super::super::built::Built;
 use super::super::context::Context;
 use super::super::place::Place;
 use super::placement::Zero;
-use super::touching::{Placed, Touch, is_pole, nearest_pair, nearest_point, touch};
 use crate::diagnostic::Diagnostic;
 use crate::joint::{PointOnSurface, SphereContact, SurfaceContact};
 use crate::model::{self, Placement, SurfaceForm, Value};
 use crate::space::Spatial;
-use crate::surface::{Surface, SurfaceShape};
+use crate::surface::{
+    Coordinates, Placed, Surface, SurfaceShape, Touch, nearest_pair, nearest_point, touch,
+};
 use dalembert_expr::Dim;
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use smallvec::{SmallVec, smallvec};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// What the expressions of a surface are, in words.
@@ -39,7 +41,19 @@ impl Context<'_, Spatial> {
             }
             SurfaceForm::Torus { radius, tube } => {
                 let (r, t) = (length(radius, "radius"), length(tube, "tube"));
-                SurfaceShape::Torus(r?, t?)
+                let (r, t) = (r?, t?);
+                if t >= r {
+                    self.report(
+                        Diagnostic::error(
+                            "crossing-torus",
+                            place.key(&format!("{key}.tube")),
+                            format!("{}: this torus crosses itself", place.owner),
+                        )
+                        .help("tube must be less than radius, the radius of the circle on which the tube's centre lies"),
+                    );
+                    return None;
+                }
+                SurfaceShape::Torus(r, t)
             }
             SurfaceForm::Revolved { r, z } => {
                 let [r, z] = [(r, "r"), (z, "z")].map(|(value, name)| {
@@ -114,15 +128,18 @@ impl Context<'_, Spatial> {
             surface: &surface,
             marker: &marker,
         };
-        let start = given.or_else(|| nearest_point(placed, distance, &point));
-        let start = self.no_pole(start, &[&surface], place)?;
+        let start = given.map_or_else(
+            || nearest_point(placed, distance, &point, &self.down()),
+            |ab| Some(surface.coordinates(ab)),
+        );
+        let start = self.no_pole(start.map(|s| [s]), [placed], place)?;
+        let [start] = start;
+        let [near, _] = given.unwrap_or_else(|| surface.parameters(&start, PI));
         Some(Built {
             kind,
-            element: Arc::new(PointOnSurface {
-                surface,
-                distance,
-                reversed,
-            }),
+            element: Arc::new(PointOnSurface::new(
+                surface, distance, reversed, &start, near,
+            )),
             markers: SmallVec::from_slice(&m),
             coordinates: SmallVec::new(),
             auxiliary_start: SmallVec::from_slice(&start),
@@ -130,23 +147,30 @@ impl Context<'_, Spatial> {
         })
     }
 
+    /// The direction in which bodies fall; against z where there is no gravity.
+    fn down(&self) -> Vector3<f64> {
+        let down = self.gravity.try_normalize(f64::MIN_POSITIVE);
+        down.unwrap_or_else(|| -Vector3::z())
+    }
+
     /// Refuses a start at a pole of a surface, or none at all.
     fn no_pole<const N: usize>(
         &mut self,
-        start: Option<[f64; N]>,
-        surfaces: &[&Surface],
+        start: Option<[Coordinates; N]>,
+        surfaces: [Placed<'_>; N],
         place: &Place,
-    ) -> Option<[f64; N]> {
-        let pole = start.is_some_and(|s| {
-            let parts = s.chunks_exact(2).zip(surfaces);
-            parts.into_iter().any(|(s, surface)| is_pole(surface, s))
+    ) -> Option<[Coordinates; N]> {
+        let pole = start.as_ref().is_some_and(|all| {
+            let mut parts = all.iter().zip(surfaces);
+            parts.any(|(s, surface)| surface.is_pole(s))
         });
         let (message, help) = match start {
             Some(start) if !pole => return Some(start),
             _ if self.stand_ins => return None,
             Some(_) => (
                 "the contact lies at a pole of the surface's parameters in the initial estimate",
-                "give the surface's frame another z axis (axes), so that its poles lie elsewhere",
+                "start the contact elsewhere, or give the surface another form: a sphere or an ellipsoid has no poles, and other \
+                 expressions or another z axis of the frame (axes) have theirs elsewhere",
             ),
             None => (
                 "no point of the surface comes near the other body in the initial estimate",
@@ -202,11 +226,13 @@ impl Context<'_, Spatial> {
             surface: &surfaces[k],
             marker: &markers[k],
         });
-        let start = given
-            .map(|[s, t]| [s[0], s[1], t[0], t[1]])
-            .or_else(|| nearest_pair(pair));
-        let start = self.no_pole(start, &[&surfaces[0], &surfaces[1]], place)?;
-        let held = match touch(pair, &start)? {
+        let start = given.map_or_else(
+            || nearest_pair(pair),
+            |all| Some([0, 1].map(|k| surfaces[k].coordinates(all[k]))),
+        );
+        let start = self.no_pole(start, pair, place)?;
+        let points = start.each_ref().map(|s| &s[..]);
+        let held = match touch(pair, points)? {
             Touch::Point => None,
             Touch::Line(k) => {
                 self.report(
@@ -220,7 +246,7 @@ impl Context<'_, Spatial> {
                          the tilt of the bodies too",
                     ),
                 );
-                Some((k, start[k]))
+                Some((k, start.concat()[k]))
             }
             Touch::Face => {
                 self.report(
@@ -234,12 +260,16 @@ impl Context<'_, Spatial> {
                 return None;
             }
         };
+        let near = [0, 1].map(|k| match given {
+            Some(all) => all[k][0],
+            None => surfaces[k].parameters(points[k], PI)[0],
+        });
         Some(Built {
             kind: KIND,
-            element: Arc::new(SurfaceContact { surfaces, held }),
+            auxiliary_start: SurfaceContact::start(&surfaces, points),
+            element: Arc::new(SurfaceContact::new(surfaces, points, near, held)),
             markers: SmallVec::from_slice(&m),
             coordinates: SmallVec::new(),
-            auxiliary_start: SmallVec::from_slice(&start),
             reaction_marker: 1,
         })
     }

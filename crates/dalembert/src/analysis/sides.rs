@@ -1,0 +1,61 @@
+//! Poses in which the rows of an element hold, but not as they are meant.
+
+use super::AnalysisError;
+use crate::joint::{ConstraintInput, sum_of};
+use crate::space::Space;
+use crate::system::{State, System, Workspace};
+
+/// Cosine below which axes that should stand alike do not. Where rows hold it is 1, 0 (axes exchanged) or -1 (opposite).
+const ALIKE: f64 = 0.5;
+
+/// Refuses a pose in which the rows of an element hold with other axes than those that are meant.
+pub(super) fn right_sides<S: Space>(
+    system: &System<S>,
+    ws: &mut Workspace<S>,
+    state: &State,
+) -> Result<(), AnalysisError> {
+    system.update_markers(&state.q, &state.v, ws);
+    let wrong = system.elements.iter().filter(|e| {
+        let alike = e.element.alike();
+        let apart =
+            |markers: &[S::Marker]| alike.iter().any(|terms| sum_of(terms, markers) < ALIKE);
+        !alike.is_empty() && apart(&ws.seen(&e.markers))
+    });
+    let names: Vec<String> = wrong
+        .map(|e| format!("'{}' ({})", e.name, e.kind))
+        .collect();
+    if names.is_empty() {
+        return facing(system, ws, state.t);
+    }
+    Err(AnalysisError::WrongSide {
+        time: state.t,
+        elements: crate::words::listed(&names),
+    })
+}
+
+/// Refuses a pose in which surfaces touch from the wrong side, or behind a pole.
+pub(super) fn facing<S: Space>(
+    system: &System<S>,
+    ws: &Workspace<S>,
+    t: f64,
+) -> Result<(), AnalysisError> {
+    let wrong = system.elements.iter().filter(|e| {
+        let input = ConstraintInput {
+            t,
+            markers: &ws.seen(&e.markers),
+            s: &ws.s[e.aux.clone()],
+            s_rate: &ws.s_rate[e.aux.clone()],
+        };
+        e.element.facing(&input).is_some_and(|cosine| cosine <= 0.0)
+    });
+    let names: Vec<String> = wrong
+        .map(|e| format!("'{}' ({})", e.name, e.kind))
+        .collect();
+    if names.is_empty() {
+        return Ok(());
+    }
+    Err(AnalysisError::WrongSurface {
+        time: t,
+        elements: crate::words::listed(&names),
+    })
+}
