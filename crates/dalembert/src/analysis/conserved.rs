@@ -4,6 +4,8 @@ use crate::results::{Channel, Results};
 
 /// Part of its size to which a quantity that stays is kept: better than the default tolerance leaves, far above rounding.
 const KEPT: f64 = 1e-6;
+/// Changes below this part of the size are rounding.
+const ROUNDING: f64 = 1e-14;
 
 /// Names the momenta and energies that stayed as they were over a run, with the largest change relative to their size;
 /// none where the run has no such quantity.
@@ -54,9 +56,11 @@ pub(super) fn conserved(results: &Results) -> Option<String> {
         }
     }
     (!names.is_empty() && results.len() > 2).then(|| {
-        format!(
-            "conserved to {worst:.1e} of their size: {}",
-            names.join(", ")
-        )
+        let how = if worst < ROUNDING {
+            "to rounding".to_owned()
+        } else {
+            format!("to {worst:.1e} of their size")
+        };
+        format!("conserved {how}: {}", names.join(", "))
     })
 }

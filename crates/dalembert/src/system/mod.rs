@@ -4,12 +4,15 @@
 mod body;
 mod compiled;
 mod element;
+mod evaluation;
 #[cfg(test)]
 mod manipulator_test;
 mod masses;
 mod metric;
 mod plan;
 mod positions;
+mod products;
+mod residuals;
 mod row_scales;
 mod state;
 #[cfg(test)]
