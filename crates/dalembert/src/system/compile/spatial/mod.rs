@@ -3,13 +3,16 @@
 mod axes;
 mod body;
 mod curve;
+mod joint_rows;
 mod joints;
 mod mass;
 mod orientation;
 mod pairs;
 mod placement;
+mod rolling;
 mod shapes;
 mod surfaces;
+mod universal;
 
 use super::built::Built;
 use super::context::{Context, GlobalMeasure};
