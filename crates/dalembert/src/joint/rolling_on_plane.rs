@@ -1,7 +1,8 @@
 //! Rolling without slipping on a plane: discs, wheels, balls.
 
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, Guarded, Lost, RowLabel, RowUnit,
+    ConstraintElement, ConstraintInput, ConstraintOutput, ContactForce, Guarded, Lost, RowLabel,
+    RowUnit,
 };
 use crate::space::{Spatial, SpatialMarker, join};
 use nalgebra::Vector3;
@@ -94,6 +95,22 @@ impl ConstraintElement<Spatial> for RollingOnPlane {
 
     fn velocity_rows(&self) -> Range<usize> {
         1..3
+    }
+
+    /// The wheel pushes where the multiplier of its height is negative: C rises with the height.
+    fn contact(
+        &self,
+        input: &ConstraintInput<'_, Spatial>,
+        multipliers: &[f64],
+    ) -> Option<ContactForce> {
+        let (plane, wheel) = (&input.markers[0], &input.markers[1]);
+        let n = turning(plane.axes.column(2).into_owned(), &plane.omega);
+        let a = turning(wheel.axes.column(2).into_owned(), &wheel.omega);
+        let (_, [u, _]) = self.rim(&n, &a);
+        Some(ContactForce {
+            normal: -multipliers[0],
+            point: wheel.point - u - self.rounding * n.value,
+        })
     }
 
     fn evaluate(

@@ -278,3 +278,40 @@ fn only_simulation_follows_velocity_constraints() {
     };
     refused(inverse.run(&system).unwrap_err());
 }
+
+/// The ground pushes with m (g + a) and the rim touches it; a wheel that is pulled up would part.
+#[test]
+fn the_ground_pushes_and_a_lifted_wheel_is_told() {
+    for (rounding, ball) in [(0.0, false), (0.08, false), (0.0, true)] {
+        let omega = Vector3::new(0.3, -0.4, 9.0);
+        let mut parts = disc(1.3, Vector3::zeros(), omega, rounding);
+        if ball {
+            parts["body"][0]["position"] = json!([0, 0, RADIUS]);
+            parts["joint"] = json!([{"name": "roll", "kind": "rolling-ball", "bodies": ["ground", "disc"],
+                "at": [[0, 0, 0], [0, 0, 0]], "axes": [[0, 0, 1], [0, 0, 1]], "radius": RADIUS}]);
+        }
+        let instants: Vec<f64> = (0..=20).map(|k| 0.1 * f64::from(k)).collect();
+        let report = run(&compiled(parts.clone()).system, &instants, 1e-11);
+        assert!(report.results.notes.iter().all(|n| !n.contains("pull")));
+        let values = |name: &str| &report.results.channel(name).expect(name).values;
+        for k in 0..instants.len() {
+            let push = MASS * (G + values("disc.az")[k]);
+            near(
+                "push",
+                &[values("roll.normal_force")[k]],
+                &[push],
+                1e-10 * MASS * G,
+            );
+            near("touch", &[values("roll.point_z")[k]], &[0.0], 1e-11);
+        }
+        parts["force"] = json!([{"name": "crane", "kind": "force", "body": "disc", "at": [0, 0, 0],
+            "value": [0, 0, 1.5 * MASS * G]}]);
+        let report = run(&compiled(parts).system, &[0.0, 0.01], 1e-9);
+        let told = |n: &String| n.contains("'roll' would have to pull");
+        assert!(
+            report.results.notes.iter().any(told),
+            "{:?}",
+            report.results.notes
+        );
+    }
+}
