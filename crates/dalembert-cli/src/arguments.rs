@@ -1,6 +1,8 @@
 //! The command line.
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use dalembert::model::Method;
 use dalembert::space::orientation::OrientationSet;
 use std::path::PathBuf;
 
@@ -98,6 +100,12 @@ pub struct RunArgs {
     /// Relative error tolerance of the integration; for simulate and view
     #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
+    /// Method of the integration, like dop853, adams or rk4; for simulate and view
+    #[arg(long, value_name = "METHOD", value_parser = PossibleValuesParser::new(Method::NAMES.map(|(name, _)| name)))]
+    pub integrator: Option<String>,
+    /// Step of methods with steps of one size [s]; for simulate and view
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
+    pub fixed_step: Option<String>,
     /// Channels to write, like "crank.*"; default as the model says, or all; can be repeated
     #[arg(long, value_name = "PATTERN")]
     pub channels: Vec<String>,

@@ -3,7 +3,7 @@
 use crate::arguments::{ModelArgs, RunArgs};
 use crate::failure::Failure;
 use dalembert::diagnostic::Diagnostic;
-use dalembert::model::{Model, SpaceKind, Value};
+use dalembert::model::{Method, Model, SpaceKind, Value};
 use dalembert::space::{Planar, Space, Spatial};
 use dalembert::system::compile::{Compiled, ModelSpace, compile};
 use dalembert::words::counted;
@@ -178,8 +178,18 @@ pub fn refuse(analysis: &str, options: &[(&Option<String>, &str, &str)]) -> Resu
     })
 }
 
-/// Why kinematic analyses have no tolerance.
-pub const EXACT: &str = "its poses are exact to rounding";
+/// Refuses the options of the integration for analyses that solve for each pose.
+pub fn refuse_integration(analysis: &str, args: &RunArgs) -> Result<(), Failure> {
+    let exact = "its poses are exact to rounding";
+    refuse(
+        analysis,
+        &[
+            (&args.tolerance, "--tolerance", exact),
+            (&args.integrator, "--integrator", exact),
+            (&args.fixed_step, "--fixed-step", exact),
+        ],
+    )
+}
 
 /// Refuses to write two things to one file.
 fn check_files(args: &RunArgs) -> Result<(), Failure> {
@@ -207,6 +217,8 @@ pub fn load_run(args: &RunArgs) -> Result<Machine, Failure> {
         (&args.end, "analysis.end", "--end"),
         (&args.step, "analysis.step", "--step"),
         (&args.tolerance, "analysis.tolerance", "--tolerance"),
+        (&args.integrator, "analysis.integrator", "--integrator"),
+        (&args.fixed_step, "analysis.fixed_step", "--fixed-step"),
     ];
     let given: Vec<(&str, &str)> = options
         .iter()
@@ -302,10 +314,22 @@ fn apply(args: &RunArgs) -> impl Fn(&mut Model) + '_ {
             (&args.end, &mut a.end),
             (&args.step, &mut a.step),
             (&args.tolerance, &mut a.tolerance),
+            (&args.fixed_step, &mut a.fixed_step),
         ] {
             if let Some(text) = option {
                 *slot = Some(number_or_text(text));
             }
+        }
+        let asked = args.integrator.as_ref();
+        let named = asked.and_then(|name| Method::NAMES.iter().find(|(known, _)| known == name));
+        if let Some((_, method)) = named.copied() {
+            // What the model says of steps belongs to its own method.
+            if method.has_fixed_steps() {
+                a.max_step = None;
+            } else if args.fixed_step.is_none() {
+                a.fixed_step = None;
+            }
+            a.integrator = Some(method);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::analysis::{
     conflicts, driver_singularities, holding_loads, missing_mass,
 };
 use crate::formulation::{Formulation, Terms};
-use crate::integrate::{Dopri5, Ode};
+use crate::integrate::{Integrator, Ode};
 use crate::space::{Planar, Spatial};
 use crate::system::compile::{ModelSpace, compile};
 use crate::system::{System, Workspace};
@@ -37,8 +37,9 @@ fn entries<S: ModelSpace>() -> Vec<*const ()> {
         Motion::<S>::new as *const (),
         Motion::<S>::evaluate as *const (),
         <Motion<'_, S> as Ode>::project as *const (),
-        Dopri5::start::<Motion<'_, S>> as *const (),
-        Dopri5::step::<Motion<'_, S>> as *const (),
+        Integrator::start::<Motion<'_, S>> as *const (),
+        Integrator::step::<Motion<'_, S>> as *const (),
+        Integrator::interpolate::<Motion<'_, S>> as *const (),
         Terms::of::<S> as *const (),
         Formulation::solve::<S> as *const (),
     ]

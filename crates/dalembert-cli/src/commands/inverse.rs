@@ -2,14 +2,14 @@
 
 use crate::arguments::InverseArgs;
 use crate::failure::Failure;
-use crate::load::{EXACT, Loaded, in_its_space, load_run, refuse};
+use crate::load::{Loaded, in_its_space, load_run, refuse_integration};
 use crate::summary;
 use dalembert::analysis::{Inverse, NewtonOptions};
 use dalembert::space::Space;
 
 /// Runs the inverse dynamics and prints its summary.
 pub fn run(args: &InverseArgs) -> Result<(), Failure> {
-    refuse("inverse", &[(&args.run.tolerance, "--tolerance", EXACT)])?;
+    refuse_integration("inverse", &args.run)?;
     in_its_space!(load_run(&args.run)?, loaded => inverse(args, &loaded))
 }
 

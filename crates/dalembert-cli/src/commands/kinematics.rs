@@ -2,14 +2,14 @@
 
 use crate::arguments::RunArgs;
 use crate::failure::Failure;
-use crate::load::{EXACT, Loaded, in_its_space, load_run, refuse};
+use crate::load::{Loaded, in_its_space, load_run, refuse_integration};
 use crate::summary;
 use dalembert::analysis::Kinematics;
 use dalembert::space::Space;
 
 /// Runs the kinematic analysis and prints its summary.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
-    refuse("kinematics", &[(&args.tolerance, "--tolerance", EXACT)])?;
+    refuse_integration("kinematics", args)?;
     in_its_space!(load_run(args)?, loaded => kinematics(args, &loaded))
 }
 

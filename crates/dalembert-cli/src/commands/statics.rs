@@ -2,7 +2,7 @@
 
 use crate::arguments::{StaticsArgs, StaticsRoute};
 use crate::failure::Failure;
-use crate::load::{EXACT, Loaded, in_its_space, load_run, refuse};
+use crate::load::{Loaded, in_its_space, load_run, refuse, refuse_integration};
 use crate::{output, summary};
 use dalembert::analysis::{
     Assembly, HoldingLoads, Route, Stability, Statics, StaticsReport, Unknown, holding_loads,
@@ -25,9 +25,9 @@ pub fn run(args: &StaticsArgs) -> Result<(), Failure> {
         &[
             (&args.run.end, "--end", whole),
             (&args.run.step, "--step", whole),
-            (&args.run.tolerance, "--tolerance", EXACT),
         ],
     )?;
+    refuse_integration("statics", &args.run)?;
     in_its_space!(load_run(&args.run)?, loaded => statics(args, &loaded))
 }
 

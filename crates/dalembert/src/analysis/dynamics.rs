@@ -11,8 +11,8 @@ use super::pace::{Limits, Pace};
 use super::pulling::pulling;
 use super::recorder::{Extra, Recorder, Recording};
 use super::{AnalysisError, Assembly, AssemblyReport, Motion};
-use crate::integrate::{Dopri5, Ode, StepError};
-use crate::model::Stabilization;
+use crate::integrate::{Integrator, Ode, StepError};
+use crate::model::{Method, Stabilization};
 use crate::results::Results;
 use crate::space::Space;
 use crate::system::compile::Options;
@@ -25,7 +25,9 @@ pub struct Dynamics {
     pub instants: Vec<f64>,
     /// Error tolerance of a step.
     pub tolerance: f64,
-    /// Largest step [s].
+    /// Method of the integration.
+    pub integrator: Method,
+    /// Largest step [s]; the step itself for methods with steps of one size.
     pub max_step: f64,
     /// Most steps.
     pub max_steps: usize,
@@ -58,6 +60,7 @@ impl Dynamics {
         Self {
             instants: options.instants(),
             tolerance: options.tolerance,
+            integrator: options.integrator,
             max_step: options.max_step,
             max_steps: options.max_steps,
             stabilization: options.stabilization,
@@ -106,7 +109,14 @@ impl Dynamics {
         running.update_markers(&state.q, &state.v, &mut motion.ws);
         motion.passed(start)?;
         let start_energy = motion.energy(start, &y);
-        let mut integrator = Dopri5::start(&mut motion, start, &y, self.tolerance, self.max_step)?;
+        let mut integrator = Integrator::start(
+            self.integrator,
+            &mut motion,
+            start,
+            &y,
+            self.tolerance,
+            self.max_step,
+        )?;
         let mut recorder = Recorder::new(true).writing(self.recording);
         let mut least = LeastReactions::new(&running);
         let mut open = OpenReactions::default();
@@ -114,19 +124,19 @@ impl Dynamics {
         let mut stopped = None;
         let mut drift: f64 = 0.0;
         'instants: for &t in &self.instants {
-            while integrator.t < t {
-                if steps.is_multiple_of(64) && !progress(integrator.t) {
+            while integrator.t() < t {
+                if steps.is_multiple_of(64) && !progress(integrator.t()) {
                     break 'instants;
                 }
-                if pace.over(integrator.t, steps, &integrator.stiffness) {
+                if pace.over(integrator.t(), steps, &integrator.stiffness()) {
                     stopped = Some(self.out_of_steps(&pace, &integrator, steps, &mut motion));
                     break 'instants;
                 }
-                if pace.crawls(integrator.t, steps)
-                    && let Some(detail) = motion.jumping(integrator.t, &integrator.y)
+                if pace.crawls(integrator.t(), steps)
+                    && let Some(detail) = motion.jumping(integrator.t(), integrator.y())
                 {
                     stopped = Some(AnalysisError::OutOfSteps {
-                        time: integrator.t,
+                        time: integrator.t(),
                         steps,
                         detail,
                     });
@@ -137,7 +147,7 @@ impl Dynamics {
                         steps += 1;
                         rejected += report.rejected;
                         drift = drift.max(motion.drift);
-                        if let Err(error) = motion.passed(integrator.t) {
+                        if let Err(error) = motion.passed(integrator.t()) {
                             stopped = Some(error);
                             break 'instants;
                         }
@@ -146,13 +156,21 @@ impl Dynamics {
                         stopped = Some(motion.too_small(&integrator, step, cause));
                         break 'instants;
                     }
+                    Err(StepError::Fixed { step, cause }) => {
+                        stopped = Some(AnalysisError::StepFailed {
+                            time: integrator.t(),
+                            step,
+                            detail: cause.to_string(),
+                        });
+                        break 'instants;
+                    }
                 }
             }
-            if integrator.t == t {
-                y.copy_from_slice(&integrator.y);
+            if integrator.t() == t {
+                y.copy_from_slice(integrator.y());
             } else {
-                integrator.interpolate(t, &mut y);
-                if let Err(error) = motion.project(t, &mut y) {
+                let inside = integrator.interpolate(&mut motion, t, &mut y);
+                if let Err(error) = inside.and_then(|()| motion.project(t, &mut y)) {
                     stopped = Some(error);
                     break;
                 }
@@ -182,9 +200,9 @@ impl Dynamics {
         let mut results = recorder.into_results(&system.name, "simulate");
         notes.extend(open.notes());
         notes.extend(pulling(&running, &results));
-        if stopped.is_none() && integrator.stiffness.since.is_some() {
-            let fastest = motion.stiffest(integrator.t, &integrator.y);
-            notes.extend(Pace::note(steps, &integrator.stiffness, fastest.as_ref()));
+        if stopped.is_none() && integrator.stiffness().since.is_some() {
+            let fastest = motion.stiffest(integrator.t(), integrator.y());
+            notes.extend(Pace::note(steps, &integrator.stiffness(), fastest.as_ref()));
         }
         notes.append(&mut results.notes);
         results.notes = notes;
@@ -196,7 +214,7 @@ impl Dynamics {
         for (name, value) in [
             ("steps", steps as f64),
             ("rejected steps", rejected as f64),
-            ("right sides", integrator.evaluations as f64),
+            ("right sides", integrator.evaluations() as f64),
             ("projections", motion.projections as f64),
             ("largest drift before projection", drift),
         ] {
@@ -216,7 +234,7 @@ impl Dynamics {
     fn out_of_steps<S: Space>(
         &self,
         pace: &Pace,
-        integrator: &Dopri5,
+        integrator: &Integrator,
         steps: usize,
         motion: &mut Motion<'_, S>,
     ) -> AnalysisError {
@@ -224,15 +242,15 @@ impl Dynamics {
             max_step: self.max_step,
             baumgarte: self.stabilization == Stabilization::Baumgarte,
         };
-        if let Some(detail) = motion.jumping(integrator.t, &integrator.y) {
+        if let Some(detail) = motion.jumping(integrator.t(), integrator.y()) {
             return AnalysisError::OutOfSteps {
-                time: integrator.t,
+                time: integrator.t(),
                 steps,
                 detail,
             };
         }
-        let fastest = motion.stiffest(integrator.t, &integrator.y);
-        let (t, stiffness) = (integrator.t, &integrator.stiffness);
+        let fastest = motion.stiffest(integrator.t(), integrator.y());
+        let (t, stiffness) = (integrator.t(), &integrator.stiffness());
         AnalysisError::OutOfSteps {
             time: t,
             steps,

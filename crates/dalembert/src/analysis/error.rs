@@ -174,6 +174,21 @@ pub enum AnalysisError {
         /// Time [s].
         time: f64,
     },
+    /// A step of fixed size failed.
+    #[error(
+        "at t = {} s the step of {} s failed: {detail}; give a smaller fixed_step, or a method that chooses its steps \
+         (integrator = \"dopri5\")",
+        readable(*time),
+        readable(*step)
+    )]
+    StepFailed {
+        /// Time at the start of the step [s].
+        time: f64,
+        /// The step [s].
+        step: f64,
+        /// Why.
+        detail: String,
+    },
     /// The step size became too small.
     #[error(
         "the integration stopped at t = {} s: the step shrank to {step:.3e} s; {detail}",

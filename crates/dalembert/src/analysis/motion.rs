@@ -6,7 +6,7 @@ use super::meeting::Meeting;
 use super::recorder::{energies, outside_power};
 use super::stiffest::{Stiffest, jumping, stiffest};
 use super::{AnalysisError, Dynamics};
-use crate::integrate::{Dopri5, Ode};
+use crate::integrate::{Integrator, Ode};
 use crate::model::Stabilization;
 use crate::space::{Space, Tuple};
 use crate::system::{Metric, State, System, Workspace};
@@ -132,7 +132,7 @@ impl<'a, S: Space> Motion<'a, S> {
     /// Why no step is small enough.
     pub(super) fn too_small(
         &mut self,
-        integrator: &Dopri5,
+        integrator: &Integrator,
         step: f64,
         cause: Option<AnalysisError>,
     ) -> AnalysisError {
@@ -140,9 +140,9 @@ impl<'a, S: Space> Motion<'a, S> {
         {
             return met;
         }
-        let state = self.state(integrator.t, &integrator.y);
+        let state = self.state(integrator.t(), integrator.y());
         // The step shrinks geometrically on its way to the meeting.
-        let horizon = (16.0 * step).max(1e-9 * integrator.t.abs());
+        let horizon = (16.0 * step).max(1e-9 * integrator.t().abs());
         if let Some(met) = self
             .meeting
             .ahead(self.system, &mut self.ws, &state, horizon)
@@ -155,7 +155,7 @@ impl<'a, S: Space> Motion<'a, S> {
             None => jump.unwrap_or_else(|| "the forces or the motion are too rough for the tolerance: look for a stiff spring, a jump in a force, or a singular pose near here".to_owned()),
         };
         AnalysisError::StepTooSmall {
-            time: integrator.t,
+            time: integrator.t(),
             step,
             detail,
         }

@@ -1,10 +1,25 @@
 //! Time integration. Integrators see an ordinary differential equation with invariants; never a body.
 
+mod adams;
+mod dop853;
 mod dopri5;
+mod integrator;
+mod norm;
+mod runge_kutta;
+mod step;
 mod stiffness;
+mod tableau;
+#[cfg(test)]
+mod tests;
 
-pub use dopri5::{Dopri5, StepError, StepReport};
+pub use adams::{Adams, HIGHEST_ORDER};
+pub use dop853::DOP853;
+pub use dopri5::DOPRI5;
+pub use integrator::Integrator;
+pub use runge_kutta::RungeKutta;
+pub use step::{StepError, StepReport};
 pub use stiffness::Stiffness;
+pub use tableau::{Dense, EULER, Errors, HEUN, MIDPOINT, RK4, Tableau};
 
 /// An ordinary differential equation y' = f(t, y) whose solutions stay on a manifold.
 pub trait Ode {

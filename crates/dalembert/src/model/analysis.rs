@@ -15,8 +15,53 @@ pub enum Stabilization {
     Baumgarte,
 }
 
-/// Section `[analysis]`: options of the analyses; `start`, `end`, `step`, `tolerance`, `actuators` and
-/// `independent` also stand on the command line.
+/// How a simulation is integrated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// Explicit Euler: fixed steps, order 1.
+    Euler,
+    /// The explicit midpoint rule: fixed steps, order 2.
+    Midpoint,
+    /// Heun's method: fixed steps, order 2.
+    Heun,
+    /// The classical method of Runge and Kutta: fixed steps, order 4.
+    Rk4,
+    /// Dormand and Prince: controlled steps, order 5(4).
+    #[default]
+    Dopri5,
+    /// Dormand and Prince: controlled steps, order 8(5,3).
+    Dop853,
+    /// Adams, Bashforth and Moulton: controlled steps, orders 1 to 12.
+    Adams,
+}
+
+impl Method {
+    /// Every method with its name in model files and on the command line.
+    pub const NAMES: [(&'static str, Self); 7] = [
+        ("dopri5", Self::Dopri5),
+        ("dop853", Self::Dop853),
+        ("adams", Self::Adams),
+        ("rk4", Self::Rk4),
+        ("heun", Self::Heun),
+        ("midpoint", Self::Midpoint),
+        ("euler", Self::Euler),
+    ];
+
+    /// Does it make steps of one size that the user chooses?
+    pub fn has_fixed_steps(self) -> bool {
+        matches!(self, Self::Euler | Self::Midpoint | Self::Heun | Self::Rk4)
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        let found = Self::NAMES.iter().find(|(_, method)| *method == self);
+        found.map_or("", |(name, _)| name)
+    }
+}
+
+/// Section `[analysis]`: options of the analyses; `start`, `end`, `step`, `tolerance`, `integrator`, `fixed_step`,
+/// `actuators` and `independent` also stand on the command line.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AnalysisOptions {
@@ -32,6 +77,13 @@ pub struct AnalysisOptions {
     /// Relative error tolerance of the integration; default 1e-8.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<Value>,
+    /// Method of `simulate`: "dopri5", "dop853" or "adams" choose their steps by the tolerance; "rk4", "heun", "midpoint" and
+    /// "euler" make steps of one size, `fixed_step`; default "dopri5".
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub integrator: Option<Method>,
+    /// Step of the methods with steps of one size [s].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fixed_step: Option<Value>,
     /// Largest integration step [s]; default no limit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_step: Option<Value>,

@@ -22,7 +22,7 @@ mod table;
 mod trace;
 mod value;
 
-pub use analysis::{AnalysisOptions, OutputOptions, Stabilization};
+pub use analysis::{AnalysisOptions, Method, OutputOptions, Stabilization};
 pub use axial_vector::AxialVector;
 pub use body::{Body, HeldCoordinate};
 pub use constraint::{Constraint, ConstraintKind, Term};

@@ -2,7 +2,9 @@
 
 use crate::model_file::item::{Item, type_name};
 use crate::model_file::table_reader::TableReader;
-use dalembert::model::{AnalysisOptions, Info, OutputOptions, Point, SpaceKind, Stabilization};
+use dalembert::model::{
+    AnalysisOptions, Info, Method, OutputOptions, Point, SpaceKind, Stabilization,
+};
 use dalembert::space::orientation::OrientationSet;
 use toml::de::DeValue;
 
@@ -59,6 +61,8 @@ pub(super) fn analysis(mut table: TableReader<'_>) -> AnalysisOptions {
         end: table.value("end"),
         step: table.value("step"),
         tolerance: table.value("tolerance"),
+        integrator: table.optional("integrator", |item| item.choice(&Method::NAMES)),
+        fixed_step: table.value("fixed_step"),
         max_step: table.value("max_step"),
         max_steps: table.optional("max_steps", Item::count),
         stabilization: table.optional("stabilization", |item| item.choice(&stabilizations)),

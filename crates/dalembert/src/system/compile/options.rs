@@ -4,7 +4,7 @@ use super::context::Context;
 use super::geometry::Geometry;
 use crate::analysis::Recording;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Stabilization, Value};
+use crate::model::{Method, Stabilization, Value};
 use crate::space::orientation::OrientationSet;
 use crate::words::readable;
 use dalembert_expr::Dim;
@@ -21,7 +21,9 @@ pub struct Options {
     pub step: f64,
     /// Relative error tolerance.
     pub tolerance: f64,
-    /// Largest integration step [s].
+    /// Method of the integration.
+    pub integrator: Method,
+    /// Largest integration step [s]; the step itself for methods with steps of one size.
     pub max_step: f64,
     /// Most integration steps.
     pub max_steps: usize,
@@ -50,6 +52,7 @@ impl Default for Options {
             end: 1.0,
             step: 0.01,
             tolerance: 1e-8,
+            integrator: Method::default(),
             max_step: f64::INFINITY,
             max_steps: MAX_STEPS,
             stabilization: Stabilization::Projection,
@@ -128,6 +131,8 @@ impl<S: Geometry> Context<'_, S> {
         let step = number(&a.step, Dim::TIME, "step").unwrap_or((end - start) / 100.0);
         let tolerance = number(&a.tolerance, Dim::NONE, "tolerance").unwrap_or(1e-8);
         let max_step = number(&a.max_step, Dim::TIME, "max_step").unwrap_or(f64::INFINITY);
+        let fixed_step = number(&a.fixed_step, Dim::TIME, "fixed_step");
+        let integrator = a.integrator.unwrap_or_default();
         let mut baumgarte = [50.0, 50.0];
         if let Some(values) = &a.baumgarte {
             for (k, value) in values.iter().enumerate() {
@@ -169,6 +174,32 @@ impl<S: Geometry> Context<'_, S> {
             &format!("tolerance {tolerance} is not between 1e-14 and 0.1"),
             "1e-8 suits most machines",
         );
+        let fixed = integrator.has_fixed_steps();
+        let name = integrator.name();
+        check(
+            !fixed || a.fixed_step.is_some(),
+            "integrator",
+            &format!("{name} makes steps of one size, which is missing"),
+            "give fixed_step, like \"1 ms\"",
+        );
+        check(
+            fixed || a.fixed_step.is_none(),
+            "fixed_step",
+            &format!("{name} chooses its steps by the tolerance, and has no fixed_step"),
+            "leave fixed_step out, or choose integrator = \"rk4\"; max_step limits the steps",
+        );
+        check(
+            !fixed || a.max_step.is_none(),
+            "max_step",
+            &format!("{name} makes steps of one size"),
+            "leave max_step out: fixed_step is the step",
+        );
+        check(
+            fixed_step.is_none_or(|h| h > 0.0),
+            "fixed_step",
+            "fixed_step must be positive",
+            "give a positive fixed_step",
+        );
         check(
             max_step > 0.0,
             "max_step",
@@ -207,7 +238,8 @@ impl<S: Geometry> Context<'_, S> {
             end,
             step,
             tolerance,
-            max_step,
+            integrator,
+            max_step: fixed_step.unwrap_or(max_step),
             max_steps: a.max_steps.map_or(MAX_STEPS, |n| n as usize),
             stabilization: a.stabilization.unwrap_or_default(),
             baumgarte,
