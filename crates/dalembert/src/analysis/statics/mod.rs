@@ -295,15 +295,22 @@ impl Statics {
         found.scale = found.scale.max(solution.scale);
         let scale = found.scale;
         let same = |x: f64, y: f64| (x - y).abs() <= 1e-8 * (scale + x.abs());
-        let settle = |problem: &mut Problem<'_, S>, q: &[f64]| {
-            reduced::solve(problem, q, Goal::Any, self.tolerance, self.max_iterations)
-        };
         // Where no force acts the stiffness says which energies are those of rounding.
         let stiffest = verdict
             .eigenvalues
             .iter()
             .fold(0.0, |m: f64, x| m.max(x.abs()));
         let alike = 1e-8 * (scale + potential.abs() + stiffest);
+        let rounding = self.tolerance * (scale + stiffest);
+        let settle = |problem: &mut Problem<'_, S>, q: &[f64]| {
+            let settled =
+                reduced::solve(problem, q, Goal::Any, self.tolerance, self.max_iterations)?;
+            // A force that is nothing but rounding has no scale of its own to be small against.
+            Ok(Solution {
+                converged: settled.converged || settled.unbalanced.norm() <= rounding,
+                ..settled
+            })
+        };
         // Rolling bodies stand on a slope as well as higher up on it.
         let rolling = !problem.system.velocity_rows().is_empty();
         let mut known = false;
