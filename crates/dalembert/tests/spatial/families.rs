@@ -41,34 +41,37 @@ fn a_rolling_coin_has_one_family_of_poses() {
 }
 
 /// It lies on one of its axes, either end of it below, anywhere and with any heading: firmly on the shortest one, on a
-/// saddle on the middle one, and on the longest one it topples both ways.
+/// saddle on the middle one, and on the longest one it topples both ways. As a pebble and as a hill.
 #[test]
 fn an_egg_on_a_plane_has_six_families_of_poses() {
-    let semi_axes = [0.3, 0.2, 0.15];
-    let egg = json!({
-        "body": [{"name": "egg", "position": [0, 0, 0.165], "mass": 2, "inertia": [0.025, 0.045, 0.052],
-                  "orientation": {"euler": "zxz", "angles": [0, "25 deg", "40 deg"]}}],
-        "joint": [{"name": "floor", "kind": "surface-contact", "bodies": ["egg", "ground"],
-                   "surfaces": [{"kind": "ellipsoid", "semi_axes": semi_axes}, {"kind": "plane"}]}]
-    });
-    let found = statics(egg).equilibria;
-    let mut count = [0; 3];
-    for e in &found {
-        // Newton's method leaves the height good to the square of the tolerance of statics.
-        let lying = |h: &f64| (e.q[2] - h).abs() < 1e-9;
-        let axis = semi_axes.iter().position(lying).unwrap();
-        count[axis] += 1;
-        let pushed_away = e.stiffness.iter().filter(|k| **k < -1e-3).count();
-        let neutral = e.stiffness.iter().filter(|k| k.abs() < 1e-6).count();
-        assert_eq!((pushed_away, neutral), (2 - axis, 3));
-        let expected = if axis == 2 {
-            Stability::Neutral
-        } else {
-            Stability::Unstable
-        };
-        assert_eq!(e.stability, expected);
+    for size in [1e-2, 1.0, 1e3] {
+        let semi_axes = [0.3, 0.2, 0.15].map(|x| x * size);
+        let inertia = [0.025, 0.045, 0.052].map(|x| x * size * size);
+        let egg = json!({
+            "body": [{"name": "egg", "position": [0, 0, 0.165 * size], "mass": 2, "inertia": inertia,
+                      "orientation": {"euler": "zxz", "angles": [0, "25 deg", "40 deg"]}}],
+            "joint": [{"name": "floor", "kind": "surface-contact", "bodies": ["egg", "ground"],
+                       "surfaces": [{"kind": "ellipsoid", "semi_axes": semi_axes}, {"kind": "plane"}]}]
+        });
+        let mut count = [0; 3];
+        for e in &statics(egg).equilibria {
+            // Forces balance to 1e-10 of the weight, so the height is good to far better.
+            let lying = |h: &f64| (e.q[2] - h).abs() < 1e-9 * size;
+            let axis = semi_axes.iter().position(lying).unwrap();
+            count[axis] += 1;
+            // Stiffnesses are energies, and the weight has 20 N.
+            let pushed_away = e.stiffness.iter().filter(|k| **k < -1e-3 * size).count();
+            let neutral = e.stiffness.iter().filter(|k| k.abs() < 1e-6 * size).count();
+            assert_eq!((pushed_away, neutral), (2 - axis, 3), "size {size}");
+            let expected = if axis == 2 {
+                Stability::Neutral
+            } else {
+                Stability::Unstable
+            };
+            assert_eq!(e.stability, expected);
+        }
+        assert_eq!(count, [2, 2, 2], "size {size}");
     }
-    assert_eq!(count, [2, 2, 2]);
 }
 
 /// Two free bodies on a spring at its free length: no force anywhere gives energies or forces a scale.
