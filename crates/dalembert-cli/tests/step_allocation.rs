@@ -201,6 +201,7 @@ fn steps_with_light_rods_allocate_nothing() {
                 &name,
                 &format!("{SLIDER_CRANK}{rod}{drive}"),
                 Path::new("."),
+                Method::Dopri5,
             );
             assert_eq!(found, None);
         }

@@ -297,10 +297,10 @@ fn contacts_that_cannot_be() {
     );
     check_all(
         &joint(
-            "kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"ellipsoid\", semi_axes = [1, 1, 1] }]\n",
+            "kind = \"surface-contact\"\naxis = [0, 0, 1]\nsurfaces = [{ kind = \"plane\" }, { kind = \"torus\", radius = 1, tube = 2 }]\n",
         ),
         &[
-            "no-contact 10:1 joint 'j': the contact lies at a pole of the surface's parameters in the initial estimate | give the surface's frame another z axis (axes), so that its poles lie elsewhere",
+            "crossing-torus 15:70 joint 'j': this torus crosses itself | tube must be less than radius, the radius of the circle on which the tube's centre lies",
         ],
     );
     check_all(

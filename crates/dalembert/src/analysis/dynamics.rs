@@ -1,6 +1,7 @@
 //! Forward dynamics: the augmented formulation in absolute coordinates, integrated with error
 //! control; positions and velocities projected.
 
+use super::balance::unbalanced;
 use super::conserved::conserved;
 use super::contradiction::contradiction;
 use super::least_reactions::LeastReactions;
@@ -200,6 +201,7 @@ impl Dynamics {
         let mut results = recorder.into_results(&system.name, "simulate");
         notes.extend(open.notes());
         notes.extend(pulling(&running, &results));
+        notes.extend(unbalanced(&results));
         if stopped.is_none() && integrator.stiffness().since.is_some() {
             let fastest = motion.stiffest(integrator.t(), integrator.y());
             notes.extend(Pace::note(steps, &integrator.stiffness(), fastest.as_ref()));

@@ -3,6 +3,7 @@
 
 mod aligned;
 mod assembly;
+mod balance;
 mod changed_rate;
 mod conserved;
 mod contact_watch;

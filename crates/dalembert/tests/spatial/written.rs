@@ -229,9 +229,9 @@ fn a_contact_that_pulls_is_told() {
         let model = json!({
             "body": [{"name": "bead", "mass": 0.5, "inertia": [0.01, 0.01, 0.01], "position": [s, 0, c],
                       "hold": ["x"]}],
-            "joint": [{"name": "dome", "kind": "point-on-surface", "bodies": ["ground", "bead"],
-                       "at": [[0, 0, 0], [0, 0, 0]], "surface": {"kind": "sphere", "radius": 1},
-                       "parameters": [0, 1.2]}]
+            "joint": [{"name": "dome", "kind": "surface-contact", "bodies": ["ground", "bead"],
+                       "at": [[0, 0, 0], [0, 0, 0]],
+                       "surfaces": [{"kind": "sphere", "radius": 0.9}, {"kind": "sphere", "radius": 0.1}]}]
         });
         results(model, evenly(end, 200), 1e-10)
     };

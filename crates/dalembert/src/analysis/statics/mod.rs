@@ -11,6 +11,7 @@ mod record;
 mod reduced;
 mod report;
 mod search;
+mod singular;
 mod solution;
 #[cfg(test)]
 mod spatial_test;
@@ -280,6 +281,9 @@ impl Statics {
         if !solution.converged || found.equilibria.len() >= MOST {
             return Ok(());
         }
+        // Where the search for a sharper pose fails, the pose is as good as it gets.
+        let sharper = singular::beside(problem, solution, self.tolerance).unwrap_or(None);
+        let solution = sharper.as_ref().unwrap_or(solution);
         let verdict = judge(problem, solution)?;
         problem.evaluate(&solution.q)?;
         // Surfaces that touch from the wrong side are no pose of the machine.
@@ -291,15 +295,30 @@ impl Statics {
         found.scale = found.scale.max(solution.scale);
         let scale = found.scale;
         let same = |x: f64, y: f64| (x - y).abs() <= 1e-8 * (scale + x.abs());
+        // Where no force acts the stiffness says which energies are those of rounding.
+        let stiffest = verdict
+            .eigenvalues
+            .iter()
+            .fold(0.0, |m: f64, x| m.max(x.abs()));
+        let alike = 1e-8 * (scale + potential.abs() + stiffest);
+        let rounding = self.tolerance * (scale + stiffest);
         let settle = |problem: &mut Problem<'_, S>, q: &[f64]| {
-            reduced::solve(problem, q, Goal::Any, self.tolerance, self.max_iterations)
+            let settled =
+                reduced::solve(problem, q, Goal::Any, self.tolerance, self.max_iterations)?;
+            // A force that is nothing but rounding has no scale of its own to be small against.
+            Ok(Solution {
+                converged: settled.converged || settled.unbalanced.norm() <= rounding,
+                ..settled
+            })
         };
+        // Rolling bodies stand on a slope as well as higher up on it.
+        let rolling = !problem.system.velocity_rows().is_empty();
         let mut known = false;
         for (k, e) in found.equilibria.iter().enumerate() {
             // Along a neutral motion every pose is an equilibrium, of the same energy: one of them
             // stands for all.
-            known = if verdict.neutral > 0 && found.neutral[k] == verdict.neutral {
-                same(e.potential, potential)
+            known = if rolling || verdict.neutral.max(found.neutral[k]) > 0 {
+                (rolling || (e.potential - potential).abs() <= alike)
                     && (connected(problem, &e.q, &solution.q, &settle)
                         || connected(problem, &solution.q, &e.q, &settle))
             } else {

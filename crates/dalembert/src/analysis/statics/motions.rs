@@ -46,11 +46,20 @@ impl Motions {
         problem: &Problem<'_, S>,
         jacobian: &DMatrix<f64>,
     ) -> Result<Self, AnalysisError> {
-        if let Some(regular) = Self::regular(jacobian) {
+        Self::within(problem, jacobian, RANK_TOLERANCE)
+    }
+
+    /// Where singular values below a part of the largest count as zero.
+    pub fn within<S: Space>(
+        problem: &Problem<'_, S>,
+        jacobian: &DMatrix<f64>,
+        tolerance: f64,
+    ) -> Result<Self, AnalysisError> {
+        if let Some(regular) = Self::regular(jacobian, tolerance) {
             return Ok(regular);
         }
         let svd = Svd::new(jacobian).map_err(|e| problem.rank_error(e))?;
-        let rank = svd.rank(RANK_TOLERANCE);
+        let rank = svd.rank(tolerance);
         let n = jacobian.ncols();
         Ok(Self {
             basis: svd.v.columns(rank, n - rank).into_owned(),
@@ -64,7 +73,7 @@ impl Motions {
 
     /// By Householder's method, several times faster than singular values, where the rows are
     /// independent beyond doubt: the smallest singular value is not below 1 / |R^-1|.
-    fn regular(jacobian: &DMatrix<f64>) -> Option<Self> {
+    fn regular(jacobian: &DMatrix<f64>, tolerance: f64) -> Option<Self> {
         let (m, n) = jacobian.shape();
         if m == 0 || m > n || jacobian.iter().any(|x| !x.is_finite()) {
             return None;
@@ -75,7 +84,7 @@ impl Motions {
         let inverse = r.solve_upper_triangular(&DMatrix::identity(m, m))?;
         let smallest = 1.0 / inverse.norm();
         // A comparison that is false for NaN.
-        let independent = smallest > 10.0 * RANK_TOLERANCE * r.norm();
+        let independent = smallest > 10.0 * tolerance * r.norm();
         if !independent {
             return None;
         }

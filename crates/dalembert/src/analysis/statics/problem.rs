@@ -6,6 +6,7 @@ use crate::analysis::meeting::Meeting;
 use crate::analysis::newton::{NewtonOptions, correct_positions};
 use crate::analysis::sides::facing;
 use crate::analysis::weights::Weights;
+use crate::joint::RowUnit;
 use crate::solve::RankError;
 use crate::space::{Space, Tuple, norm};
 use crate::system::{ForceData, State, System, Workspace};
@@ -42,8 +43,12 @@ impl<'a, S: Space> Problem<'a, S> {
         for k in (0..system.body_nv()).filter(|k| k % S::NV < S::LINEAR) {
             unit[k] = system.size;
         }
+        let mut ws = Workspace::new(system);
+        for (k, own) in auxiliary_units(system, &mut ws) {
+            unit[k] = own;
+        }
         Self {
-            ws: Workspace::new(system),
+            ws,
             unit,
             row_unit: DVector::from_fn(system.rows, |row, _| system.row_scale(row)),
             newton,
@@ -329,6 +334,35 @@ impl<'a, S: Space> Problem<'a, S> {
     pub fn turns(&self, k: usize) -> bool {
         k >= self.system.body_nv() || k % S::NV >= S::LINEAR
     }
+}
+
+/// Units of the auxiliary coordinates of unknown kind: some are lengths, the parameters of a plane, and in a large machine
+/// many for one step. What a coordinate does to the rows at the estimate tells, between one and the size.
+fn auxiliary_units<S: Space>(system: &System<S>, ws: &mut Workspace<S>) -> Vec<(usize, f64)> {
+    let labels = system.elements.iter().flat_map(|e| e.element.auxiliaries());
+    let unknown: Vec<usize> = (system.body_nv()..)
+        .zip(labels)
+        .filter(|(_, label)| label.unit == RowUnit::Other)
+        .map(|(k, _)| k)
+        .collect();
+    if unknown.is_empty() {
+        return Vec::new();
+    }
+    system.update_markers(&system.estimate.q, &vec![0.0; system.nv()], ws);
+    system.evaluate_constraints(system.estimate.t, ws);
+    let jacobian = system.dense_jacobian(ws);
+    let unit = |k: usize| {
+        let column = jacobian.column(k);
+        let scaled = (0..system.rows).map(|row| (column[row] / system.row_scale(row)).abs());
+        let gradient = scaled.fold(0.0, f64::max);
+        // Also where it is not finite.
+        if gradient > 0.0 {
+            (1.0 / gradient).clamp(1.0, system.size.max(1.0))
+        } else {
+            1.0
+        }
+    };
+    unknown.into_iter().map(|k| (k, unit(k))).collect()
 }
 
 /// The factor that keeps a scaled step within what a linear model can mean: half a radian, twice

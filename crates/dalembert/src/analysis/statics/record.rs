@@ -8,6 +8,7 @@ use crate::analysis::pulling::pulling_at_rest;
 use crate::analysis::recorder::{Extra, Recorder, Recording};
 use crate::results::{Channel, Results};
 use crate::space::Space;
+use crate::system::System;
 
 /// One instant for each equilibrium.
 pub(super) fn record<S: Space>(
@@ -70,13 +71,32 @@ pub(super) fn record<S: Space>(
         .insert("residual".to_owned(), first.residual);
     results.notes.extend(open.notes());
     results.notes.extend(pulling_at_rest(system, &results));
-    for (k, e) in equilibria.iter().enumerate() {
-        if !e.conservative {
-            results.notes.push(format!(
-                "equilibrium {}: forces without potential act; its stiffness alone does not exclude flutter",
-                k + 1
-            ));
-        }
-    }
+    results.notes.extend(flutter(system, equilibria));
     Ok(results)
+}
+
+/// Which equilibria are not judged by their stiffness alone.
+fn flutter<S: Space>(system: &System<S>, equilibria: &[Equilibrium]) -> Option<String> {
+    let numbers: Vec<String> = (1..)
+        .zip(equilibria)
+        .filter(|(_, e)| !e.conservative)
+        .map(|(number, _)| number.to_string())
+        .collect();
+    let (which, whose) = match numbers.as_slice() {
+        [] => return None,
+        [one] => (format!("equilibrium {one}"), "its"),
+        [most @ .., last] => (
+            format!("equilibria {} and {last}", most.join(", ")),
+            "their",
+        ),
+    };
+    // The reactions of such constraints do no work in a motion, yet bend the balance as a force without potential does.
+    let why = if system.velocity_rows().is_empty() {
+        "forces without potential act"
+    } else {
+        "rolling or blades, or forces without potential, make the stiffness unsymmetric"
+    };
+    Some(format!(
+        "{which}: {why}; {whose} stiffness alone does not exclude flutter"
+    ))
 }

@@ -27,10 +27,16 @@ impl Numbers {
 /// turn, and would hardly leave the pose if their moves counted alike. Bodies on slides move.
 const MOVE_WEIGHT: f64 = 0.05;
 
+/// How much an auxiliary coordinate counts: it follows the bodies, and where it goes is all the same. Not zero, for
+/// those that no body needs.
+const FOLLOWER_WEIGHT: f64 = 1e-9;
+
 /// How much each scaled coordinate counts on a way along the free motions.
 pub(super) fn weights<S: Space>(problem: &Problem<'_, S>) -> DVector<f64> {
     DVector::from_fn(problem.unit.len(), |k, _| {
-        if problem.turns(k) {
+        if k >= problem.system.body_nv() {
+            FOLLOWER_WEIGHT
+        } else if problem.turns(k) {
             1.0
         } else {
             MOVE_WEIGHT * MOVE_WEIGHT

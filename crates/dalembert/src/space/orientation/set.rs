@@ -25,8 +25,8 @@ pub enum OrientationSet {
     DirectionCosines,
 }
 
-/// Scalar part below which an orientation counts as a half turn.
-const HALF_TURN: f64 = 1e-12;
+/// Scalar part below which an orientation counts as a half turn: runs at usual tolerances do not know it better.
+const HALF_TURN: f64 = 1e-7;
 
 /// Coordinates of a set.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,9 +84,14 @@ impl OrientationSet {
             }
             Self::Rodriguez => {
                 // At a half turn they are infinite; a component that vanishes stays zero.
-                let over = |x: f64| if x == 0.0 { 0.0 } else { x / rotation.w };
+                let half = rotation.w.abs() < HALF_TURN;
+                let over = |x: f64| match half {
+                    true if x.abs() < HALF_TURN => 0.0,
+                    true => f64::INFINITY.copysign(x),
+                    false => x / rotation.w,
+                };
                 let values = rotation.imag().iter().map(|x| over(*x)).collect();
-                (values, rotation.w.abs() < HALF_TURN)
+                (values, half)
             }
             Self::DirectionCosines => {
                 let matrix = rotation.to_rotation_matrix();
