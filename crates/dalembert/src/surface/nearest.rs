@@ -1,6 +1,6 @@
 //! Where two surfaces come nearest, and how they touch there.
 
-use super::{Coordinates, Surface};
+use super::{Coordinates, Surface, SurfaceShape};
 use crate::joint::Regularity;
 use crate::space::SpatialMarker;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
@@ -17,6 +17,11 @@ const LINE: f64 = 1e-9;
 const LOWER: f64 = 1e-6;
 /// Smaller over larger relative curvature at which a ball fits well.
 const WELL: f64 = 0.05;
+/// What is left of ways, in parts of the reach, and of normals where surfaces come near each other.
+const NEAR: f64 = 1.0;
+/// Smaller relative curvature in parts of the reach's inverse at which surfaces touch in a point, however curved they are
+/// across, as far as rounding can tell.
+const BENT: [f64; 2] = [1e-5, 1e-13];
 /// Normals, in parts of the usual length of t_a x t_b, that count as vanished.
 const POLE: f64 = 1e-6;
 
@@ -71,10 +76,27 @@ impl Placed<'_> {
         cells.map(|ab| self.surface.coordinates(ab)).collect()
     }
 
-    /// Curvature in ground axes.
-    fn curvature(&self, s: &[f64]) -> Option<Matrix3<f64>> {
+    /// Curvature in ground axes, towards the normal positive; none at poles.
+    pub fn curvature(&self, s: &[f64]) -> Option<Matrix3<f64>> {
         let own = self.surface.curvature(s)?;
         Some(self.marker.axes * own * self.marker.axes.transpose())
+    }
+
+    /// How far the surface reaches from its frame: where it is given by formulas, half of its places lie nearer [m].
+    fn extent(&self) -> f64 {
+        if !matches!(
+            self.surface.shape,
+            SurfaceShape::Revolved(_) | SurfaceShape::Expressions(..)
+        ) {
+            return self.surface.reach();
+        }
+        let cells = self.grid(&self.marker.point, 0.0, LOOK[1]);
+        let ways = cells
+            .iter()
+            .map(|s| self.surface.around(s).point.value.norm());
+        let mut ways: Vec<f64> = ways.filter(|x| x.is_finite()).collect();
+        ways.sort_by(f64::total_cmp);
+        ways.get(ways.len() / 2).copied().unwrap_or(0.0)
     }
 
     /// Does a ball of a radius touch the surface here without running into it around, its smaller relative curvature more than
@@ -205,7 +227,7 @@ pub fn nearest_point(
 /// Coordinates at which two surfaces come nearest to touching, normals against each other: those of the first, then those
 /// of the second.
 pub fn nearest_pair(pair: [Placed<'_>; 2]) -> Option<[Coordinates; 2]> {
-    let reach = pair.iter().fold(1e-3_f64, |m, p| m.max(p.surface.reach()));
+    let reach = pair.iter().fold(1e-3_f64, |m, p| m.max(p.extent()));
     let samples = [0, 1].map(|k| {
         let (own, other) = (pair[k], pair[1 - k]);
         let cells = own.grid(&other.marker.point, 2.0 * reach, LOOK[1]);
@@ -241,12 +263,23 @@ pub fn nearest_pair(pair: [Placed<'_>; 2]) -> Option<[Coordinates; 2]> {
     };
     let found = best
         .into_iter()
-        .map(|(_, i, j)| improve([&samples[0][i].0[..], &samples[1][j].0].concat(), residual))
-        .min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some([
-        pair[0].settled(&found.0[..split]),
-        pair[1].settled(&found.0[split..]),
-    ])
+        .map(|(_, i, j)| improve([&samples[0][i].0[..], &samples[1][j].0].concat(), residual));
+    let mut found: Vec<([Coordinates; 2], f64)> = found
+        .map(|(s, left)| {
+            let one = pair[0].settled(&s[..split]);
+            ([one, pair[1].settled(&s[split..])], left)
+        })
+        .collect();
+    found.sort_by(|a, b| a.1.total_cmp(&b.1));
+    // Where surfaces run into each other beside the contact they do not touch: then where they come near and fit.
+    let crosses = |s: &[Coordinates; 2]| {
+        let own = [0, 1].map(|k| pair[k].curvature(&s[k]));
+        matches!(own, [Some(one), Some(two)] if Regularity::crossing(&[one, two]).is_some())
+    };
+    let fitting = found
+        .iter()
+        .position(|(s, left)| *left < NEAR && !crosses(s));
+    (!found.is_empty()).then(|| found.swap_remove(fitting.unwrap_or(0)).0)
 }
 
 /// How surfaces touch, by their relative curvature (Shabana 8.72: C_s has full rank where it is regular).
@@ -263,7 +296,8 @@ pub fn touch(pair: [Placed<'_>; 2], s: [&[f64]; 2]) -> Option<Touch> {
     if largest * reach < LINE {
         return Some(Touch::Face);
     }
-    if middle > LINE * largest {
+    let bent = middle * reach > BENT[0] && middle > BENT[1] * largest;
+    if bent || middle > LINE * largest {
         return Some(Touch::Point);
     }
     // The line runs across the direction of curvature, in the tangent plane; it is counted on the more curved surface.
