@@ -25,8 +25,11 @@ pub(super) fn right_sides<S: Space>(
         .map(|e| format!("'{}' ({})", e.name, e.kind))
         .collect();
     if names.is_empty() {
-        facing(system, ws, state.t)?;
-        return fitting(system, ws, state.t);
+        return match fitting(system, ws, state.t) {
+            // At a pole rounding decides to which side the normal points.
+            Err(pole @ AnalysisError::SurfacePole { .. }) => Err(pole),
+            fit => facing(system, ws, state.t).and(fit),
+        };
     }
     Err(AnalysisError::WrongSide {
         time: state.t,

@@ -17,8 +17,9 @@ const LINE: f64 = 1e-9;
 const LOWER: f64 = 1e-6;
 /// Smaller over larger relative curvature at which a ball fits well.
 const WELL: f64 = 0.05;
-/// What is left of ways, in parts of the reach, and of normals where surfaces come near each other.
-const NEAR: f64 = 1.0;
+/// What is left of ways, in parts of the reach, and of normals where surfaces come near each other with normals that oppose:
+/// perpendicular ones alone leave as much.
+const NEAR: f64 = 1.4;
 /// Smaller relative curvature in parts of the reach's inverse at which surfaces touch in a point, however curved they are
 /// across, as far as rounding can tell.
 const BENT: [f64; 2] = [1e-5, 1e-13];
@@ -240,15 +241,64 @@ pub fn nearest_pair(pair: [Placed<'_>; 2]) -> Option<[Coordinates; 2]> {
     let ways = |(p, n): (Vector3<f64>, Vector3<f64>), (q, m): (Vector3<f64>, Vector3<f64>)| {
         ((p - q) / reach, n + m)
     };
+    let split = pair[0].surface.count();
+    let residual = |s: &[f64]| {
+        let (d, n) = ways(pair[0].at(&s[..split])?, pair[1].at(&s[split..])?);
+        Some(DVector::from_iterator(6, d.iter().chain(n.iter()).copied()))
+    };
+    let improved = |(i, j): (usize, usize)| {
+        let start = [&samples[0][i].0[..], &samples[1][j].0].concat();
+        let (s, left) = improve(start, residual);
+        let one = pair[0].settled(&s[..split]);
+        ([one, pair[1].settled(&s[split..])], left)
+    };
+    let least = |found: Vec<([Coordinates; 2], f64)>| {
+        let least = found.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        least.map(|(s, _)| s)
+    };
+    let merit = |i: usize, j: usize| {
+        let (d, n) = ways(samples[0][i].1, samples[1][j].1);
+        d.norm_squared() + n.norm_squared()
+    };
+    let counts = [samples[0].len(), samples[1].len()];
+    let best = first_look(counts, merit, |_, _| true);
+    let nearest = least(best.into_iter().map(improved).collect())?;
+    let crosses = |s: [&[f64]; 2]| {
+        let own = [0, 1].map(|k| pair[k].curvature(s[k]));
+        matches!(own, [Some(one), Some(two)] if Regularity::crossing(&[one, two]).is_some())
+    };
+    if !crosses(nearest.each_ref().map(|s| &s[..])) {
+        return Some(nearest);
+    }
+    // Where surfaces run into each other beside the contact they do not touch: then from where they fit.
+    let fit = |i: usize, j: usize| !crosses([&samples[0][i].0, &samples[1][j].0]);
+    let fitting = first_look(counts, merit, fit);
+    let found = fitting.into_iter().map(improved);
+    let found = found.filter(|(s, left)| *left < NEAR && !crosses([&s[0], &s[1]]));
+    Some(least(found.collect()).unwrap_or(nearest))
+}
+
+/// The best pairs of a first look, one for each of the first, among those that are allowed.
+fn first_look(
+    counts: [usize; 2],
+    merit: impl Fn(usize, usize) -> f64,
+    allowed: impl Fn(usize, usize) -> bool,
+) -> Vec<(usize, usize)> {
     let mut best: Vec<(f64, usize, usize)> = Vec::new();
-    for (i, (_, one)) in samples[0].iter().enumerate() {
-        for (j, (_, two)) in samples[1].iter().enumerate() {
-            let (d, n) = ways(*one, *two);
-            let merit = d.norm_squared() + n.norm_squared();
+    for i in 0..counts[0] {
+        for j in 0..counts[1] {
+            let merit = merit(i, j);
             // The best of a few first points, so that they lie apart.
             let last = best.iter().position(|(_, k, _)| *k == i);
+            let worst = match last {
+                Some(k) => best[k].0,
+                None if best.len() >= BEST => best[best.len() - 1].0,
+                None => f64::INFINITY,
+            };
+            if merit >= worst || !allowed(i, j) {
+                continue;
+            }
             match last {
-                Some(k) if best[k].0 <= merit => {}
                 Some(k) => best[k] = (merit, i, j),
                 None => best.push((merit, i, j)),
             }
@@ -256,30 +306,7 @@ pub fn nearest_pair(pair: [Placed<'_>; 2]) -> Option<[Coordinates; 2]> {
         best.sort_by(|a, b| a.0.total_cmp(&b.0));
         best.truncate(BEST);
     }
-    let split = pair[0].surface.count();
-    let residual = |s: &[f64]| {
-        let (d, n) = ways(pair[0].at(&s[..split])?, pair[1].at(&s[split..])?);
-        Some(DVector::from_iterator(6, d.iter().chain(n.iter()).copied()))
-    };
-    let found = best
-        .into_iter()
-        .map(|(_, i, j)| improve([&samples[0][i].0[..], &samples[1][j].0].concat(), residual));
-    let mut found: Vec<([Coordinates; 2], f64)> = found
-        .map(|(s, left)| {
-            let one = pair[0].settled(&s[..split]);
-            ([one, pair[1].settled(&s[split..])], left)
-        })
-        .collect();
-    found.sort_by(|a, b| a.1.total_cmp(&b.1));
-    // Where surfaces run into each other beside the contact they do not touch: then where they come near and fit.
-    let crosses = |s: &[Coordinates; 2]| {
-        let own = [0, 1].map(|k| pair[k].curvature(&s[k]));
-        matches!(own, [Some(one), Some(two)] if Regularity::crossing(&[one, two]).is_some())
-    };
-    let fitting = found
-        .iter()
-        .position(|(s, left)| *left < NEAR && !crosses(s));
-    (!found.is_empty()).then(|| found.swap_remove(fitting.unwrap_or(0)).0)
+    best.into_iter().map(|(_, i, j)| (i, j)).collect()
 }
 
 /// How surfaces touch, by their relative curvature (Shabana 8.72: C_s has full rank where it is regular).

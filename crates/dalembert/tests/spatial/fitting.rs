@@ -61,8 +61,8 @@ fn an_egg_held_on_its_pole_is_refused() {
     let system = compiled(json!({
         "body": [{"name": "e", "mass": 1, "inertia": [0.02, 0.03, 0.025], "position": [0, 0, 0.31],
                   "orientation": {"axis": [1, 0, 0], "angle": "5 deg"}}],
-        "joint": [{"name": "slide", "kind": "prismatic", "bodies": ["ground", "e"], "point": [0, 0, 0],
-                   "axis": [0, 0, 1], "x_axes": [[1, 0, 0], [1, 0, 0]], "axes": [[0, 0, 1], [0, 0, 1]]},
+        "joint": [{"name": "slide", "kind": "prismatic", "bodies": ["ground", "e"], "at": [[0, 0, 0], [0, 0, 0]],
+                   "axes": [[0, 0, 1], [0, 0, 1]], "x_axes": [[1, 0, 0], [1, 0, 0]]},
                   {"name": "c", "kind": "surface-contact", "bodies": ["ground", "e"], "at": [[0, 0, 0], [0, 0, 0]],
                    "surfaces": [{"kind": "plane"}, profile()]}]
     }))
@@ -146,11 +146,7 @@ fn a_torus_does_not_touch_in_its_hole() {
     // Outside the circle of the tube's middle, cos b > 0, and above the plane as it must be.
     let b: f64 = state.q[10];
     assert!(b.cos() > 0.0, "{b}");
-    let z = dalembert::analysis::Assembly::default()
-        .run(&system)
-        .unwrap()
-        .0
-        .q[2];
+    let z = state.q[2];
     assert!(z > 0.1, "{z}");
 }
 
