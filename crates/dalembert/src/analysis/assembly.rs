@@ -88,10 +88,15 @@ impl Assembly {
                 (state, newton) = (start, Ok(found));
             }
         }
-        if matches!(
-            newton,
-            Err(AnalysisError::NotAssembled { .. } | AnalysisError::WrongSurface { .. })
-        ) {
+        if misplaced(&newton) {
+            // Bodies that turned where they should have come nearer: they move first, and turn hardly.
+            let mut start = estimate.clone();
+            let moving = Weights::moving(&positions, &system.position_weight);
+            if let Ok(found) = solve(&mut start, &moving) {
+                (state, newton) = (start, Ok(found));
+            }
+        }
+        if misplaced(&newton) || matches!(newton, Err(AnalysisError::NotAssembled { .. })) {
             // A body of unknown angle turns first, but a turn reaches no farther than its arm: then everything moves
             // alike. And where bodies stand in a line, or surfaces at right angles, no small motion is better than its
             // opposite: then from beside it.
@@ -185,6 +190,16 @@ impl Assembly {
             conflicts: conflicts.join("; "),
         })
     }
+}
+
+/// Did surfaces come together at places where they cannot touch?
+fn misplaced<T>(found: &Result<T, AnalysisError>) -> bool {
+    matches!(
+        found,
+        Err(AnalysisError::WrongSurface { .. }
+            | AnalysisError::SurfacePole { .. }
+            | AnalysisError::CrossingSurfaces { .. })
+    )
 }
 
 /// Moves bodies out of each other's centres where any direction is as good as another: along gravity.

@@ -12,6 +12,9 @@ const POLE: f64 = 1e-6;
 /// Part of the largest flatness so far at which surfaces touch along a line: the point of contact then runs along the line
 /// hundreds of times as fast as the bodies turn.
 const LINE: f64 = 1e-5;
+/// Smaller relative curvature, in parts of the inverse of the surfaces' reach, above which they touch in a point: very flat
+/// and very slender bodies do, whose larger curvature is a million times as large.
+const BENT: f64 = 1e-5;
 
 /// The contacts of a system with parameters.
 #[derive(Clone, Debug)]
@@ -24,6 +27,8 @@ pub(super) struct ContactWatch {
 struct Watched {
     /// Number of the element.
     element: usize,
+    /// How far its surfaces reach [m].
+    reach: f64,
     /// Coordinates of the last state, and those half way.
     last: SmallVec<[f64; 8]>,
     middle: SmallVec<[f64; 8]>,
@@ -48,6 +53,10 @@ impl ContactWatch {
             e.element.regularity(&input)?;
             Some(Watched {
                 element: k,
+                reach: match e.element.reach() {
+                    reach if reach > 0.0 => reach,
+                    _ => system.size,
+                },
                 last: SmallVec::from_slice(input.s),
                 middle: SmallVec::from_slice(input.s),
                 seen: None,
@@ -105,10 +114,15 @@ impl ContactWatch {
                     });
                 }
             }
-            let flat = now.flatness.is_some_and(|now| {
+            let flat = now.relative.is_some_and(|[smaller, larger]| {
+                let ratio = |s: f64, l: f64| if l == 0.0 { 0.0 } else { s / l };
+                let now = ratio(smaller, larger);
                 contact.roundest = contact.roundest.max(now.abs());
-                let before = before.and_then(|x| x.flatness).unwrap_or(now);
-                before * now < 0.0 || now.abs() <= LINE * contact.roundest
+                let before = before.and_then(|x| x.relative);
+                let before = before.map_or(now, |[s, l]| ratio(s, l));
+                let line =
+                    now.abs() <= LINE * contact.roundest && smaller.abs() * contact.reach <= BENT;
+                before * now < 0.0 || line
             });
             if flat {
                 return Err(AnalysisError::LineContact {

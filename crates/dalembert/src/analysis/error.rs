@@ -52,6 +52,23 @@ pub enum AnalysisError {
         /// The contacts, in words.
         elements: String,
     },
+    /// Surfaces that touch, but run into each other beside the contact.
+    #[error(
+        "the machine came together wrongly at t = {} s: the surfaces of {element} cross where they touch, the bodies would \
+         pass through each other: there, along the same line, the first surface is {} and the second {}; take other sizes, \
+         or move the estimates of the bodies, or `parameters`, to a place where the surfaces fit",
+        readable(*time),
+        bend(curvatures[0], curvatures[1]),
+        bend(curvatures[1], curvatures[0])
+    )]
+    CrossingSurfaces {
+        /// Time [s].
+        time: f64,
+        /// The contact, in words.
+        element: String,
+        /// Curvatures of the first and the second surface in the direction in which they cross, hollow positive [1/m].
+        curvatures: [f64; 2],
+    },
     /// A contact came to a pole of a surface's parameters.
     #[error(
         "at t = {time:.6} s the contact {element} came to a pole of the {surface} surface, where its parameters a and b do \
@@ -272,4 +289,13 @@ pub enum AnalysisError {
     /// The rank of the constraints could not be decided.
     #[error("the rank of the constraints could not be decided: {0}")]
     Rank(#[from] RankError),
+}
+
+/// How a surface bends in a direction, beside another: curvature [1/m], hollow positive.
+fn bend(own: f64, other: f64) -> String {
+    if own.abs() <= 1e-9 * other.abs() {
+        return "flat".to_owned();
+    }
+    let kind = if own > 0.0 { "hollow" } else { "round" };
+    format!("{kind} with a radius of {} m", readable(1.0 / own.abs()))
 }

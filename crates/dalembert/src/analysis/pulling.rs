@@ -1,11 +1,28 @@
 //! Contacts that would have to pull.
 
 use crate::results::Results;
-use crate::space::Space;
+use crate::space::{Space, norm};
 use crate::system::System;
 
 /// Pulls below this part of the largest push of a contact so far are rounding.
 const ROUNDING: f64 = 1e-9;
+/// Pulls below this part of the largest force in the machine are rounding.
+const IN_PLAY: f64 = 1e-12;
+
+/// The force below which a pull is rounding: as the weights, the forces that act, and what moves the bodies, their kinetic
+/// energy over the size of the machine [N].
+fn floor<S: Space>(system: &System<S>, results: &Results) -> f64 {
+    let gravity = norm(&system.gravity);
+    let mass = |b: usize| system.mass[b * S::NV * S::NV];
+    let weights = (0..system.bodies.len()).map(|b| mass(b) * gravity);
+    let forces = results.channels.iter().filter(|c| c.unit == "N");
+    let forces = forces.flat_map(|c| c.values.iter().map(|x| x.abs()));
+    let kinetic = results.channel("energy.kinetic").into_iter();
+    let kinetic = kinetic.flat_map(|c| c.values.iter().map(|x| x / system.size));
+    let all = weights.chain(forces).chain(kinetic);
+    // A value that is none has no part in it.
+    IN_PLAY * all.fold(0.0, f64::max)
+}
 
 /// Normal forces of the contacts that hold both ways although their surfaces would part.
 fn forces<'a, S: Space>(
@@ -27,8 +44,9 @@ pub(super) fn pulling<S: Space>(system: &System<S>, results: &Results) -> Vec<St
     let Some(time) = results.channel("time") else {
         return Vec::new();
     };
+    let floor = floor(system, results);
     let contacts = forces(system, results).filter_map(|(name, force)| {
-        let k = first_pull(force)?;
+        let k = first_pull(force, floor)?;
         let (t, force) = (time.values.get(k)?, force[k]);
         Some(format!(
             "warning: from t = {t:.6} s on the contact '{name}' would have to pull (normal force {force:.3e} N): real \
@@ -41,12 +59,12 @@ pub(super) fn pulling<S: Space>(system: &System<S>, results: &Results) -> Vec<St
 /// The same for poses at rest: the instants are equilibria.
 pub(super) fn pulling_at_rest<S: Space>(system: &System<S>, results: &Results) -> Vec<String> {
     let all: Vec<(&str, &[f64])> = forces(system, results).collect();
-    let count = results.len();
+    let (count, floor) = (results.len(), floor(system, results));
     let mut notes = Vec::new();
     for k in 0..count {
         for (name, force) in &all {
             let largest = force.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
-            if force[k] < -ROUNDING * largest {
+            if force[k] < -(ROUNDING * largest).max(floor) {
                 notes.push(format!(
                     "warning: at equilibrium {} the contact '{name}' would have to pull (normal force {:.3e} N): real surfaces \
                      part there",
@@ -59,10 +77,10 @@ pub(super) fn pulling_at_rest<S: Space>(system: &System<S>, results: &Results) -
     notes
 }
 
-fn first_pull(force: &[f64]) -> Option<usize> {
+fn first_pull(force: &[f64], floor: f64) -> Option<usize> {
     let mut largest = 0.0_f64;
     force.iter().position(|force| {
         largest = largest.max(force.abs());
-        *force < -ROUNDING * largest
+        *force < -(ROUNDING * largest).max(floor)
     })
 }

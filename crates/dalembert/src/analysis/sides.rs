@@ -1,7 +1,7 @@
 //! Poses in which the rows of an element hold, but not as they are meant.
 
 use super::AnalysisError;
-use crate::joint::{ConstraintInput, sum_of};
+use crate::joint::{ConstraintInput, ContactFault, sum_of};
 use crate::space::Space;
 use crate::system::{State, System, Workspace};
 
@@ -25,7 +25,11 @@ pub(super) fn right_sides<S: Space>(
         .map(|e| format!("'{}' ({})", e.name, e.kind))
         .collect();
     if names.is_empty() {
-        return facing(system, ws, state.t);
+        return match fitting(system, ws, state.t) {
+            // At a pole rounding decides to which side the normal points.
+            Err(pole @ AnalysisError::SurfacePole { .. }) => Err(pole),
+            fit => facing(system, ws, state.t).and(fit),
+        };
     }
     Err(AnalysisError::WrongSide {
         time: state.t,
@@ -58,4 +62,41 @@ pub(super) fn facing<S: Space>(
         time: t,
         elements: crate::words::listed(&names),
     })
+}
+
+/// Refuses a pose in which a contact lies at a pole of a surface's parameters, where its rows hold for any tilt, or in which
+/// surfaces run into each other beside it.
+pub(super) fn fitting<S: Space>(
+    system: &System<S>,
+    ws: &Workspace<S>,
+    t: f64,
+) -> Result<(), AnalysisError> {
+    for e in &system.elements {
+        let input = ConstraintInput {
+            t,
+            markers: &ws.seen(&e.markers),
+            s: &ws.s[e.aux.clone()],
+            s_rate: &ws.s_rate[e.aux.clone()],
+        };
+        let Some(fault) = e.element.fault(&input) else {
+            continue;
+        };
+        let element = format!("'{}' ({})", e.name, e.kind);
+        return Err(match fault {
+            ContactFault::Pole(k) => AnalysisError::SurfacePole {
+                element,
+                surface: ["first", "second"][k],
+                time: t,
+                remedy: "move or turn the estimates of the bodies nearer to the pose that is meant, give `parameters` of the \
+                         contact, or take a surface without poles (sphere, ellipsoid), or one whose poles lie elsewhere \
+                         (other expressions, another z axis of its frame)",
+            },
+            ContactFault::Crossing(curvatures) => AnalysisError::CrossingSurfaces {
+                time: t,
+                element,
+                curvatures,
+            },
+        });
+    }
+    Ok(())
 }

@@ -3,6 +3,9 @@
 use crate::space::Space;
 use crate::system::System;
 
+/// Weight of a turn where bodies move first.
+const TURNS: f64 = 1e6;
+
 /// Diagonal weight blocks, laid out like the mass, and their inverses: a length counts relative to
 /// the machine's size, an angle as it is, each by how well its user knows it.
 #[derive(Clone, Debug)]
@@ -32,6 +35,14 @@ impl Weights {
             inverse,
             zero: vec![0.0; system.nv()],
         }
+    }
+
+    /// As well known as given, the turns of bodies a thousand times better: bodies move rather than turn.
+    pub fn moving<S: Space>(system: &System<S>, knowledge: &[f64]) -> Self {
+        let turns = |k: usize| k < system.body_nv() && k % S::NV >= S::LINEAR;
+        let known = knowledge.iter().enumerate();
+        let known = known.map(|(k, w)| if turns(k) { TURNS * w } else { *w });
+        Self::new(system, &known.collect::<Vec<_>>())
     }
 
     /// Every coordinate equally well known.

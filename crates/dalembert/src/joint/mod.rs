@@ -6,6 +6,7 @@
 //! ([`Cam`], [`RollingOnCircle`]) carry a surface parameter of their own.
 
 mod cam;
+mod contact_fault;
 mod contact_force;
 mod expression_rows;
 mod guarded;
@@ -25,6 +26,7 @@ mod time_function;
 mod velocity_rows;
 
 pub use cam::{Cam, Follower, Profile};
+pub use contact_fault::ContactFault;
 pub use contact_force::ContactForce;
 pub use expression_rows::ExpressionRows;
 pub use guarded::{Guarded, Lost};
@@ -144,6 +146,10 @@ pub trait ConstraintElement<S: Space>: Debug + Send + Sync {
     }
     /// How regular the contact of surfaces is; none for other elements.
     fn regularity(&self, _input: &ConstraintInput<'_, S>) -> Option<Regularity> {
+        None
+    }
+    /// Why its surfaces do not touch as they should where its rows hold; none where they do, and for other elements.
+    fn fault(&self, _input: &ConstraintInput<'_, S>) -> Option<ContactFault> {
         None
     }
     /// The distance of points that may start at the same place, because any direction is as good as another [m].

@@ -2,11 +2,11 @@
 
 use super::surface_contact::unit_row;
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, ContactForce, Regularity, RowLabel,
-    RowUnit,
+    ConstraintElement, ConstraintInput, ConstraintOutput, ContactFault, ContactForce, Regularity,
+    RowLabel, RowUnit,
 };
 use crate::space::{Spatial, SpatialMarker, join};
-use crate::surface::{Field, Sheet, Surface, SurfaceShape};
+use crate::surface::{Field, Placed, Sheet, Surface, SurfaceShape};
 use nalgebra::{Matrix3, Vector3};
 
 /// The point c of one marker keeps the distance R from the surface of another: r + A (u(s) + R n(s)) - c = 0, with n the
@@ -43,6 +43,18 @@ impl PointOnSurface {
     /// Numbers of the markers of the surface and of the point.
     fn order(&self) -> [usize; 2] {
         if self.reversed { [1, 0] } else { [0, 1] }
+    }
+
+    /// Curvatures of the surface and of the ball in the axes of the surface; none for points, and at poles.
+    fn curvatures(&self, s: &[f64]) -> Option<[Matrix3<f64>; 2]> {
+        if self.distance == 0.0 {
+            return None;
+        }
+        let own = self.surface.curvature(s)?;
+        let n = self.surface.around(s).normal.value;
+        let n = n.try_normalize(f64::MIN_POSITIVE)?;
+        let ball = (n * n.transpose() - Matrix3::identity()) / self.distance;
+        Some([own, ball])
     }
 
     /// The way to the point's place from the frame of the surface, and the normal, in ground axes.
@@ -109,21 +121,30 @@ impl ConstraintElement<Spatial> for PointOnSurface {
     }
 
     fn regularity(&self, input: &ConstraintInput<'_, Spatial>) -> Option<Regularity> {
-        let ball = if self.distance > 0.0 {
-            self.surface.curvature(input.s)
-        } else {
-            None
-        };
-        let normal = self.surface.around(input.s).normal.value;
-        let flatness = ball.map(|own| {
-            let n = normal.normalize();
-            let round = (Matrix3::identity() - n * n.transpose()) / self.distance;
-            Regularity::flatness(&(own - round))
-        });
+        let relative = self.curvatures(input.s);
+        let relative = relative.map(|[own, ball]| Regularity::principal(&(own + ball)));
         Some(Regularity {
             normals: [self.surface.regularity(input.s), None],
-            flatness,
+            relative,
         })
+    }
+
+    fn fault(&self, input: &ConstraintInput<'_, Spatial>) -> Option<ContactFault> {
+        let [base, _] = self.order();
+        let placed = Placed {
+            surface: &self.surface,
+            marker: &input.markers[base],
+        };
+        if placed.is_pole(input.s) {
+            return Some(ContactFault::Pole(base));
+        }
+        let [own, ball] = Regularity::crossing(&self.curvatures(input.s)?)?;
+        let both = if self.reversed {
+            [ball, own]
+        } else {
+            [own, ball]
+        };
+        Some(ContactFault::Crossing(both))
     }
 
     fn contact(

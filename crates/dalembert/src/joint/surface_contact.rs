@@ -1,12 +1,12 @@
 //! Contact of two surfaces in a point.
 
 use super::{
-    ConstraintElement, ConstraintInput, ConstraintOutput, ContactForce, Regularity, RowLabel,
-    RowUnit,
+    ConstraintElement, ConstraintInput, ConstraintOutput, ContactFault, ContactForce, Regularity,
+    RowLabel, RowUnit,
 };
 use crate::space::{Spatial, join};
-use crate::surface::{Around, Field, Sheet, Surface};
-use nalgebra::Vector3;
+use crate::surface::{Around, Field, Placed, Sheet, Surface};
+use nalgebra::{Matrix3, Vector3};
 use smallvec::SmallVec;
 
 /// Two surfaces that touch (Shabana 8.55, 8.58), with the coordinates of both points as auxiliary coordinates:
@@ -72,6 +72,20 @@ impl SurfaceContact {
     fn coordinates<'a>(&self, s: &'a [f64]) -> [&'a [f64]; 2] {
         let (middle, end) = self.places();
         [&s[..middle], &s[middle..end]]
+    }
+
+    fn placed<'a>(&'a self, input: &ConstraintInput<'a, Spatial>, k: usize) -> Placed<'a> {
+        Placed {
+            surface: &self.surfaces[k],
+            marker: &input.markers[k],
+        }
+    }
+
+    /// Curvatures of both surfaces in ground axes; none at poles.
+    fn curvatures(&self, input: &ConstraintInput<'_, Spatial>) -> Option<[Matrix3<f64>; 2]> {
+        let s = self.coordinates(input.s);
+        let of = |k: usize| self.placed(input, k).curvature(s[k]);
+        Some([of(0)?, of(1)?])
     }
 
     /// The surfaces in ground axes.
@@ -178,18 +192,24 @@ impl ConstraintElement<Spatial> for SurfaceContact {
 
     fn regularity(&self, input: &ConstraintInput<'_, Spatial>) -> Option<Regularity> {
         let s = self.coordinates(input.s);
-        let curvature = |k: usize| {
-            let axes = &input.markers[k].axes;
-            Some(axes * self.surfaces[k].curvature(s[k])? * axes.transpose())
-        };
-        let flatness = match (self.held, curvature(0), curvature(1)) {
-            (None, Some(one), Some(two)) => Some(Regularity::flatness(&(one + two))),
+        let relative = match (self.held, self.curvatures(input)) {
+            (None, Some([one, two])) => Some(Regularity::principal(&(one + two))),
             _ => None,
         };
         Some(Regularity {
             normals: [0, 1].map(|k| self.surfaces[k].regularity(s[k])),
-            flatness,
+            relative,
         })
+    }
+
+    fn fault(&self, input: &ConstraintInput<'_, Spatial>) -> Option<ContactFault> {
+        let s = self.coordinates(input.s);
+        let pole = (0..2).find(|k| self.placed(input, *k).is_pole(s[*k]));
+        if let Some(k) = pole {
+            return Some(ContactFault::Pole(k));
+        }
+        let curvatures = self.curvatures(input)?;
+        Regularity::crossing(&curvatures).map(ContactFault::Crossing)
     }
 
     fn evaluate(

@@ -1,6 +1,6 @@
 //! Where two surfaces come nearest, and how they touch there.
 
-use super::{Coordinates, Surface};
+use super::{Coordinates, Surface, SurfaceShape};
 use crate::joint::Regularity;
 use crate::space::SpatialMarker;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
@@ -17,6 +17,12 @@ const LINE: f64 = 1e-9;
 const LOWER: f64 = 1e-6;
 /// Smaller over larger relative curvature at which a ball fits well.
 const WELL: f64 = 0.05;
+/// What is left of ways, in parts of the reach, and of normals where surfaces come near each other with normals that oppose:
+/// perpendicular ones alone leave as much.
+const NEAR: f64 = 1.4;
+/// Smaller relative curvature in parts of the reach's inverse at which surfaces touch in a point, however curved they are
+/// across, as far as rounding can tell.
+const BENT: [f64; 2] = [1e-5, 1e-13];
 /// Normals, in parts of the usual length of t_a x t_b, that count as vanished.
 const POLE: f64 = 1e-6;
 
@@ -71,10 +77,27 @@ impl Placed<'_> {
         cells.map(|ab| self.surface.coordinates(ab)).collect()
     }
 
-    /// Curvature in ground axes.
-    fn curvature(&self, s: &[f64]) -> Option<Matrix3<f64>> {
+    /// Curvature in ground axes, towards the normal positive; none at poles.
+    pub fn curvature(&self, s: &[f64]) -> Option<Matrix3<f64>> {
         let own = self.surface.curvature(s)?;
         Some(self.marker.axes * own * self.marker.axes.transpose())
+    }
+
+    /// How far the surface reaches from its frame: where it is given by formulas, half of its places lie nearer [m].
+    fn extent(&self) -> f64 {
+        if !matches!(
+            self.surface.shape,
+            SurfaceShape::Revolved(_) | SurfaceShape::Expressions(..)
+        ) {
+            return self.surface.reach();
+        }
+        let cells = self.grid(&self.marker.point, 0.0, LOOK[1]);
+        let ways = cells
+            .iter()
+            .map(|s| self.surface.around(s).point.value.norm());
+        let mut ways: Vec<f64> = ways.filter(|x| x.is_finite()).collect();
+        ways.sort_by(f64::total_cmp);
+        ways.get(ways.len() / 2).copied().unwrap_or(0.0)
     }
 
     /// Does a ball of a radius touch the surface here without running into it around, its smaller relative curvature more than
@@ -205,7 +228,7 @@ pub fn nearest_point(
 /// Coordinates at which two surfaces come nearest to touching, normals against each other: those of the first, then those
 /// of the second.
 pub fn nearest_pair(pair: [Placed<'_>; 2]) -> Option<[Coordinates; 2]> {
-    let reach = pair.iter().fold(1e-3_f64, |m, p| m.max(p.surface.reach()));
+    let reach = pair.iter().fold(1e-3_f64, |m, p| m.max(p.extent()));
     let samples = [0, 1].map(|k| {
         let (own, other) = (pair[k], pair[1 - k]);
         let cells = own.grid(&other.marker.point, 2.0 * reach, LOOK[1]);
@@ -218,15 +241,64 @@ pub fn nearest_pair(pair: [Placed<'_>; 2]) -> Option<[Coordinates; 2]> {
     let ways = |(p, n): (Vector3<f64>, Vector3<f64>), (q, m): (Vector3<f64>, Vector3<f64>)| {
         ((p - q) / reach, n + m)
     };
+    let split = pair[0].surface.count();
+    let residual = |s: &[f64]| {
+        let (d, n) = ways(pair[0].at(&s[..split])?, pair[1].at(&s[split..])?);
+        Some(DVector::from_iterator(6, d.iter().chain(n.iter()).copied()))
+    };
+    let improved = |(i, j): (usize, usize)| {
+        let start = [&samples[0][i].0[..], &samples[1][j].0].concat();
+        let (s, left) = improve(start, residual);
+        let one = pair[0].settled(&s[..split]);
+        ([one, pair[1].settled(&s[split..])], left)
+    };
+    let least = |found: Vec<([Coordinates; 2], f64)>| {
+        let least = found.into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        least.map(|(s, _)| s)
+    };
+    let merit = |i: usize, j: usize| {
+        let (d, n) = ways(samples[0][i].1, samples[1][j].1);
+        d.norm_squared() + n.norm_squared()
+    };
+    let counts = [samples[0].len(), samples[1].len()];
+    let best = first_look(counts, merit, |_, _| true);
+    let nearest = least(best.into_iter().map(improved).collect())?;
+    let crosses = |s: [&[f64]; 2]| {
+        let own = [0, 1].map(|k| pair[k].curvature(s[k]));
+        matches!(own, [Some(one), Some(two)] if Regularity::crossing(&[one, two]).is_some())
+    };
+    if !crosses(nearest.each_ref().map(|s| &s[..])) {
+        return Some(nearest);
+    }
+    // Where surfaces run into each other beside the contact they do not touch: then from where they fit.
+    let fit = |i: usize, j: usize| !crosses([&samples[0][i].0, &samples[1][j].0]);
+    let fitting = first_look(counts, merit, fit);
+    let found = fitting.into_iter().map(improved);
+    let found = found.filter(|(s, left)| *left < NEAR && !crosses([&s[0], &s[1]]));
+    Some(least(found.collect()).unwrap_or(nearest))
+}
+
+/// The best pairs of a first look, one for each of the first, among those that are allowed.
+fn first_look(
+    counts: [usize; 2],
+    merit: impl Fn(usize, usize) -> f64,
+    allowed: impl Fn(usize, usize) -> bool,
+) -> Vec<(usize, usize)> {
     let mut best: Vec<(f64, usize, usize)> = Vec::new();
-    for (i, (_, one)) in samples[0].iter().enumerate() {
-        for (j, (_, two)) in samples[1].iter().enumerate() {
-            let (d, n) = ways(*one, *two);
-            let merit = d.norm_squared() + n.norm_squared();
+    for i in 0..counts[0] {
+        for j in 0..counts[1] {
+            let merit = merit(i, j);
             // The best of a few first points, so that they lie apart.
             let last = best.iter().position(|(_, k, _)| *k == i);
+            let worst = match last {
+                Some(k) => best[k].0,
+                None if best.len() >= BEST => best[best.len() - 1].0,
+                None => f64::INFINITY,
+            };
+            if merit >= worst || !allowed(i, j) {
+                continue;
+            }
             match last {
-                Some(k) if best[k].0 <= merit => {}
                 Some(k) => best[k] = (merit, i, j),
                 None => best.push((merit, i, j)),
             }
@@ -234,19 +306,7 @@ pub fn nearest_pair(pair: [Placed<'_>; 2]) -> Option<[Coordinates; 2]> {
         best.sort_by(|a, b| a.0.total_cmp(&b.0));
         best.truncate(BEST);
     }
-    let split = pair[0].surface.count();
-    let residual = |s: &[f64]| {
-        let (d, n) = ways(pair[0].at(&s[..split])?, pair[1].at(&s[split..])?);
-        Some(DVector::from_iterator(6, d.iter().chain(n.iter()).copied()))
-    };
-    let found = best
-        .into_iter()
-        .map(|(_, i, j)| improve([&samples[0][i].0[..], &samples[1][j].0].concat(), residual))
-        .min_by(|a, b| a.1.total_cmp(&b.1))?;
-    Some([
-        pair[0].settled(&found.0[..split]),
-        pair[1].settled(&found.0[split..]),
-    ])
+    best.into_iter().map(|(_, i, j)| (i, j)).collect()
 }
 
 /// How surfaces touch, by their relative curvature (Shabana 8.72: C_s has full rank where it is regular).
@@ -263,7 +323,8 @@ pub fn touch(pair: [Placed<'_>; 2], s: [&[f64]; 2]) -> Option<Touch> {
     if largest * reach < LINE {
         return Some(Touch::Face);
     }
-    if middle > LINE * largest {
+    let bent = middle * reach > BENT[0] && middle > BENT[1] * largest;
+    if bent || middle > LINE * largest {
         return Some(Touch::Point);
     }
     // The line runs across the direction of curvature, in the tangent plane; it is counted on the more curved surface.

@@ -5,6 +5,7 @@ mod bushing;
 mod check;
 mod contact_rows;
 mod families;
+mod fitting;
 mod guards;
 mod joint_equations;
 mod joints;

@@ -23,7 +23,7 @@ pub use stability::Stability;
 
 use super::newton::NewtonOptions;
 use super::recorder::Recording;
-use super::sides::facing;
+use super::sides::{facing, fitting};
 use super::{AnalysisError, Assembly};
 use crate::results::Results;
 use crate::space::Space;
@@ -286,8 +286,9 @@ impl Statics {
         let solution = sharper.as_ref().unwrap_or(solution);
         let verdict = judge(problem, solution)?;
         problem.evaluate(&solution.q)?;
-        // Surfaces that touch from the wrong side are no pose of the machine.
-        if facing(problem.system, &problem.ws, problem.time()).is_err() {
+        // Surfaces that touch from the wrong side, at a pole, or run into each other are no pose of the machine.
+        let (system, ws, t) = (problem.system, &problem.ws, problem.time());
+        if facing(system, ws, t).is_err() || fitting(system, ws, t).is_err() {
             return Ok(());
         }
         let multipliers = problem.least_multipliers(&solution.lambda);
