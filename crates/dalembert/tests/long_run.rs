@@ -3,6 +3,7 @@
 mod mechanisms;
 
 use dalembert::analysis::Dynamics;
+use dalembert::model::Method;
 use dalembert::system::compile::compile;
 use mechanisms::{moment, slider_crank, spinning, spring};
 
@@ -119,5 +120,49 @@ fn free_body_keeps_its_invariants_over_a_thousand_revolutions() {
             .sum::<f64>()
             .sqrt();
         assert!((norm - 1.0).abs() < 1e-14, "norm {norm} in row {row}");
+    }
+}
+
+/// State of a free slider crank at 0.1 s, half a turn later.
+fn at_a_tenth(method: Method, tolerance: f64, step: f64) -> Vec<f64> {
+    let mut model = slider_crank();
+    model.initial.push(spinning("O", 20.0));
+    let compiled = compile::<dalembert::space::Planar>(&model, &[]).expect("a valid model");
+    let mut options = Dynamics::new(&compiled.options);
+    options.instants = vec![0.0, 0.1];
+    options.integrator = method;
+    options.tolerance = tolerance;
+    options.max_step = step;
+    let report = options
+        .run(&compiled.system, &mut |_| true)
+        .expect("it runs");
+    assert_eq!(report.stopped, None);
+    [report.state.q, report.state.v].concat()
+}
+
+/// On constraints, with projection after every step, the methods keep their orders in positions and velocities.
+#[test]
+fn orders_on_constraints() {
+    let exact = at_a_tenth(Method::Dop853, 1e-14, f64::INFINITY);
+    let error = |found: &[f64]| {
+        let off = found.iter().zip(&exact).map(|(a, b)| (a - b).abs());
+        off.fold(0.0, f64::max)
+    };
+    for (method, order, step) in [
+        (Method::Euler, 1.0, 2e-5),
+        (Method::Midpoint, 2.0, 2e-4),
+        (Method::Heun, 2.0, 2e-4),
+        (Method::Rk4, 4.0, 1e-3),
+    ] {
+        let [one, half] = [step, 0.5 * step].map(|h| error(&at_a_tenth(method, 1e-8, h)));
+        let found = (one / half).log2();
+        assert!((found - order).abs() < 0.1, "{method:?}: order {found}");
+    }
+    for method in [Method::Dopri5, Method::Dop853, Method::Adams] {
+        for tolerance in [1e-6, 1e-8, 1e-10] {
+            let off = error(&at_a_tenth(method, tolerance, f64::INFINITY));
+            // Velocities are some metres a second, angular ones some tens of radians.
+            assert!(off < 1e3 * tolerance, "{method:?}, {tolerance:e}: {off:e}");
+        }
     }
 }

@@ -196,8 +196,8 @@ impl Adams {
             }
         }
         self.predicted.copy_from_slice(&self.y);
-        for j in 0..k {
-            axpy(h * g[j], &self.star[j], &mut self.predicted);
+        for (g, star) in g.iter().zip(&self.star[..k]) {
+            axpy(h * g, star, &mut self.predicted);
         }
         ode.rhs(next, &self.predicted, &mut self.slope)?;
         self.evaluations += 1;
